@@ -1,0 +1,43 @@
+# What a target links, and what that links, to the end.
+
+function(foldless_link_closure target result)
+  set(closure)
+  set(open ${target})
+  while(open)
+    list(POP_FRONT open next)
+    if(NOT TARGET ${next})
+      continue()
+    endif()
+    get_target_property(name ${next} ALIASED_TARGET)
+    if(NOT name)
+      set(name ${next})
+    endif()
+    if(name IN_LIST closure)
+      continue()
+    endif()
+    list(APPEND closure ${name})
+    foreach(property LINK_LIBRARIES INTERFACE_LINK_LIBRARIES)
+      get_target_property(libraries ${name} ${property})
+      # A generator expression counts as all the names in it.
+      string(REGEX MATCHALL "[A-Za-z0-9_]+(::[A-Za-z0-9_]+)?" names "${libraries}")
+      list(APPEND open ${names})
+    endforeach()
+  endwhile()
+  set(${result} ${closure} PARENT_SCOPE)
+endfunction()
+
+# Fails the configuration when `target` links `refused`, however far below.
+function(foldless_refuse_in_closure target refused)
+  foldless_link_closure(${target} closure)
+  if(refused IN_LIST closure)
+    message(FATAL_ERROR "${target} links ${refused}")
+  endif()
+endfunction()
+
+# The walk itself is tested on the layers whose order is known.
+foldless_link_closure(foldless_report closure)
+foreach(layer predicates io decimate verify)
+  if(NOT foldless_${layer} IN_LIST closure)
+    message(FATAL_ERROR "the walk over linked libraries misses foldless_${layer} below foldless_report")
+  endif()
+endforeach()
