@@ -1,0 +1,112 @@
+#include <foldless/predicates/jacobian.h>
+
+#include <foldless/predicates/interval.h>
+
+#include <cmath>
+#include <limits>
+
+namespace foldless {
+namespace {
+
+/// Is b0 (1-x)^2 + 2 b1 x (1-x) + b2 x^2 positive for all x in [0, 1]? Exactly when b0 > 0, b2 > 0 and either b1 > 0 or
+/// b1^2 < b0 b2: with both ends positive a minimum below zero needs b1 <= -sqrt(b0 b2).
+Sign positive_on_unit_interval(const Interval& b0, const Interval& b1, const Interval& b2) {
+    const Sign ends[] = {sign_of(b0), sign_of(b2)};
+    for (const Sign end : ends) {
+        if (end == Sign::negative || end == Sign::zero) {
+            return Sign::negative;
+        }
+    }
+    if (ends[0] == Sign::undecided || ends[1] == Sign::undecided) {
+        return Sign::undecided;
+    }
+    if (sign_of(b1) == Sign::positive || sign_of(b1) == Sign::zero) {
+        return Sign::positive;
+    }
+    const Sign discriminant = sign_of(b0 * b2 - CGAL::square(b1));
+    if (discriminant == Sign::positive) {
+        return Sign::positive;
+    }
+    const bool touches = discriminant == Sign::negative || discriminant == Sign::zero;
+    return touches && sign_of(b1) == Sign::negative ? Sign::negative : Sign::undecided;
+}
+
+struct IntervalSlice {
+    IntervalVec3 e1; ///< a_1 - a_0
+    IntervalVec3 e2; ///< a_2 - a_0
+};
+
+IntervalSlice slice(const BaseTriangle& triangle, double t) {
+    const auto corner = [&](int i) { return exactly(triangle.v[i]) + Interval(t) * exactly(triangle.d[i]); };
+    const IntervalVec3 a0 = corner(0);
+    return {corner(1) - a0, corner(2) - a0};
+}
+
+/// A quadratic c0 + c1 t + c2 t^2 in plain doubles.
+struct Quadratic {
+    double c0;
+    double c1;
+    double c2;
+};
+
+/// The root of the quadratic nearest to 0 on the positive side, or infinity; the quadratic is positive at 0.
+double first_positive_root(const Quadratic& p) {
+    const double none = std::numeric_limits<double>::infinity();
+    const double discriminant = p.c1 * p.c1 - 4 * p.c0 * p.c2;
+    if (discriminant < 0) {
+        return none;
+    }
+    // Citardauq form: with c0 > 0 the roots are 2 c0 / (-c1 +- sqrt), and the smaller positive one has the larger
+    // positive denominator.
+    const double denominator = -p.c1 + std::sqrt(discriminant);
+    return denominator > 0 ? 2 * p.c0 / denominator : none;
+}
+
+} // namespace
+
+Sign jacobian_on(const BaseTriangle& triangle, Range range) {
+    if (!(range.lo <= range.hi) || !std::isfinite(range.lo) || !std::isfinite(range.hi)) {
+        return Sign::negative;
+    }
+    const UpwardRounding upward;
+    const IntervalSlice lo = slice(triangle, range.lo);
+    const IntervalSlice hi = slice(triangle, range.hi);
+    const IntervalVec3 n_lo = cross(lo.e1, lo.e2);
+    const IntervalVec3 n_hi = cross(hi.e1, hi.e2);
+    const IntervalVec3 n_mixed = cross(lo.e1, hi.e2) + cross(hi.e1, lo.e2);
+    Sign result = Sign::positive;
+    for (const Vec3& direction : triangle.d) {
+        const IntervalVec3 d = exactly(direction);
+        const Sign sign = positive_on_unit_interval(dot(d, n_lo), Interval(0.5) * dot(d, n_mixed), dot(d, n_hi));
+        if (sign == Sign::negative) {
+            return Sign::negative;
+        }
+        if (sign == Sign::undecided) {
+            result = Sign::undecided;
+        }
+    }
+    return result;
+}
+
+Range fold_free_range(const BaseTriangle& triangle) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const Vec3 p1 = triangle.v[1] - triangle.v[0];
+    const Vec3 p2 = triangle.v[2] - triangle.v[0];
+    const Vec3 d1 = triangle.d[1] - triangle.d[0];
+    const Vec3 d2 = triangle.d[2] - triangle.d[0];
+    const Vec3 pp = p1.cross(p2);
+    const Vec3 pd = p1.cross(d2) + d1.cross(p2);
+    const Vec3 dd = d1.cross(d2);
+    Range range{-infinity, infinity};
+    for (const Vec3& d : triangle.d) {
+        const Quadratic j{d.dot(pp), d.dot(pd), d.dot(dd)};
+        if (!(j.c0 > 0)) {
+            return {infinity, -infinity};
+        }
+        range.hi = std::min(range.hi, first_positive_root(j));
+        range.lo = std::max(range.lo, -first_positive_root({j.c0, -j.c1, j.c2}));
+    }
+    return range;
+}
+
+} // namespace foldless
