@@ -1,0 +1,36 @@
+/// \file
+/// Which numbers float32 holds exactly.
+#pragma once
+
+#include <foldless/predicates/vector.h>
+
+#include <cmath>
+#include <limits>
+
+namespace foldless {
+
+/// The nearest float32 value.
+[[nodiscard]] inline double to_float32(double value) {
+    // GCC 12 at -O2 drops the two conversions where it vectorises pairs of them; a volatile value cannot be dropped.
+    const volatile float rounded = static_cast<float>(value);
+    return static_cast<double>(rounded);
+}
+
+/// True if the number is a float32 value, infinities included; false for NaN.
+[[nodiscard]] inline bool is_float32(double value) {
+    // A finite number beyond the largest float32 must not be converted: that is undefined.
+    constexpr double largest = static_cast<double>(std::numeric_limits<float>::max());
+    return std::abs(value) > largest ? std::isinf(value) : to_float32(value) == value;
+}
+
+/// True if all three coordinates are float32 values.
+[[nodiscard]] inline bool is_float32(const Vec3& value) {
+    return is_float32(value.x()) && is_float32(value.y()) && is_float32(value.z());
+}
+
+/// The nearest float32 values.
+[[nodiscard]] inline Vec3 to_float32(const Vec3& value) {
+    return {to_float32(value.x()), to_float32(value.y()), to_float32(value.z())};
+}
+
+} // namespace foldless
