@@ -1,0 +1,71 @@
+#include <foldless/decimate/base_surface.h>
+
+#include <foldless/io/errors.h>
+
+namespace foldless {
+namespace {
+
+using Halfedge = OpenMesh::HalfedgeHandle;
+
+} // namespace
+
+BaseSurface::BaseSurface(const Scan& scan)
+    : vertices_(scan.positions.size()), faces_(scan.faces.size()), places_(scan.positions.size()) {
+    const std::size_t f_count = scan.faces.size();
+    connectivity_.reserve(scan.positions.size(), scan.positions.size() + f_count, f_count);
+    for (std::size_t v = 0; v < scan.positions.size(); ++v) {
+        connectivity_.add_vertex({0.0F, 0.0F, 0.0F});
+        vertices_[v] = {scan.positions[v], Vec3::Zero(), static_cast<std::int32_t>(v)};
+        places_[v].kept = static_cast<std::int32_t>(v);
+    }
+    for (std::size_t f = 0; f < f_count; ++f) {
+        const Triangle& face = scan.faces[f];
+        const OpenMesh::VertexHandle corners[] = {OpenMesh::VertexHandle(face[0]), OpenMesh::VertexHandle(face[1]),
+                                                  OpenMesh::VertexHandle(face[2])};
+        if (!connectivity_.add_face(corners, 3).is_valid()) {
+            throw RefusedMesh("the faces do not form a manifold");
+        }
+        faces_[f].scan_faces.assign(1, static_cast<std::int32_t>(f));
+    }
+}
+
+Triangle BaseSurface::corners(std::int32_t f) const {
+    const Halfedge h = connectivity_.halfedge_handle(OpenMesh::FaceHandle(f));
+    const Halfedge next = connectivity_.next_halfedge_handle(h);
+    return {connectivity_.to_vertex_handle(h).idx(), connectivity_.to_vertex_handle(next).idx(),
+            connectivity_.from_vertex_handle(h).idx()};
+}
+
+std::int32_t BaseSurface::neighbour(std::int32_t f, int k) const {
+    // corners() = {c0, c1, c2} with h from c2 to c0: opposite c0 lies c1 -> c2 (previous), opposite c1 lies h itself.
+    Halfedge h = connectivity_.halfedge_handle(OpenMesh::FaceHandle(f));
+    if (k == 0) {
+        h = connectivity_.prev_halfedge_handle(h);
+    } else if (k == 2) {
+        h = connectivity_.next_halfedge_handle(h);
+    }
+    return connectivity_.opposite_face_handle(h).idx();
+}
+
+void BaseSurface::faces_around(std::int32_t v, std::vector<std::int32_t>& out) const {
+    out.clear();
+    const Halfedge outgoing = connectivity_.halfedge_handle(OpenMesh::VertexHandle(v));
+    if (!outgoing.is_valid()) {
+        return;
+    }
+    // OpenMesh lets the outgoing halfedge of a border vertex be the border's: the fan then starts behind it.
+    const auto turned = [&](Halfedge h) {
+        return connectivity_.opposite_halfedge_handle(connectivity_.prev_halfedge_handle(h));
+    };
+    Halfedge h = connectivity_.is_boundary(outgoing) ? turned(outgoing) : outgoing;
+    do {
+        out.push_back(connectivity_.face_handle(h).idx());
+        h = turned(h);
+    } while (h != outgoing);
+}
+
+bool BaseSurface::is_border_vertex(std::int32_t v) const {
+    return connectivity_.is_boundary(OpenMesh::VertexHandle(v));
+}
+
+} // namespace foldless

@@ -1,0 +1,47 @@
+#include <foldless/decimate/cell_places.h>
+
+namespace foldless {
+
+CellPlaces::CellPlaces(PatchedSurface& surface, int cell)
+    : surface_(&surface), cell_(cell), inverse_(surface.cell(cell).triangle) {
+    // The prismoid lies in the hull of the corners of its two end slices.
+    const BaseTriangle& triangle = surface.cell(cell).triangle;
+    const Range range = surface.cell(cell).range;
+    low_ = high_ = triangle.corner(0, range.lo);
+    for (int k = 0; k < 3; ++k) {
+        for (const double t : {range.lo, range.hi}) {
+            low_ = low_.cwiseMin(triangle.corner(k, t));
+            high_ = high_.cwiseMax(triangle.corner(k, t));
+        }
+    }
+    // Far more than rounding moves a corner, far less than the size of a face.
+    constexpr double slack = 1e-9;
+    const Vec3 widen = Vec3::Constant(slack * (high_ - low_).maxCoeff());
+    low_ -= widen;
+    high_ += widen;
+}
+
+Verdict CellPlaces::lacks(const Vec3& q, const Lift& known) const {
+    const Range range = surface_->cell(cell_).range;
+    const Preimages preimages = inverse_.preimages(q);
+    if (preimages.kind == Preimages::Kind::infinite) {
+        return Verdict::undecided;
+    }
+    for (const Preimage& preimage : preimages) {
+        if (is_clearly_outside(preimage)) {
+            continue;
+        }
+        const std::optional<Enclosure> at = enclose(surface_->cell(cell_).triangle, q, preimage.alpha, preimage.t);
+        if (!at) {
+            return Verdict::undecided;
+        }
+        const bool in_range = at->t + at->t_error >= range.lo && at->t - at->t_error <= range.hi;
+        const bool inside = at->alpha.minCoeff() >= -at->alpha_error;
+        if (in_range && inside && !same_point(*surface_, known, {cell_, *at, wall_of(*at)})) {
+            return Verdict::several_preimages;
+        }
+    }
+    return Verdict::accepted;
+}
+
+} // namespace foldless

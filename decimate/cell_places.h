@@ -1,0 +1,34 @@
+/// \file
+/// Whether a point has a place in one given cell, within its range.
+#pragma once
+
+#include <foldless/decimate/patched_surface.h>
+#include <foldless/decimate/point_location.h>
+#include <foldless/decimate/verdict.h>
+#include <foldless/predicates/inverse_displacement.h>
+
+namespace foldless {
+
+/// The prismoid of a cell over its range, prepared to be asked about many points that lie elsewhere.
+class CellPlaces {
+public:
+    CellPlaces(PatchedSurface& surface, int cell);
+
+    /// False if q is outside the box around the prismoid.
+    [[nodiscard]] bool may_hold(const Vec3& q) const {
+        return (q.array() >= low_.array()).all() && (q.array() <= high_.array()).all();
+    }
+
+    /// `accepted` if q, whose place is `known`, has no other place in this cell: none at all, or the same point on the
+    /// common wall. `several_preimages` if it has one, `undecided` if rounding hides it.
+    [[nodiscard]] Verdict lacks(const Vec3& q, const Lift& known) const;
+
+private:
+    PatchedSurface* surface_;
+    int cell_;
+    InverseDisplacement inverse_;
+    Vec3 low_;
+    Vec3 high_;
+};
+
+} // namespace foldless

@@ -1,0 +1,116 @@
+#include <foldless/decimate/collapse.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foldless {
+namespace {
+
+Collapse along(const BaseSurface& base, OpenMesh::HalfedgeHandle halfedge) {
+    return {halfedge, base.connectivity().from_vertex_handle(halfedge).idx(),
+            base.connectivity().to_vertex_handle(halfedge).idx()};
+}
+
+Vec3 normal_of(const std::array<Vec3, 3>& corners) {
+    return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+}
+
+const BaseVertex& vertex_of(const BaseSurface& base, const Patch& patch, std::int32_t v) {
+    for (const PatchVertex& changed : patch.changed) {
+        if (changed.index == v) {
+            return changed.value;
+        }
+    }
+    return base.vertex(v);
+}
+
+} // namespace
+
+Collapse reversed(const BaseSurface& base, const Collapse& collapse) {
+    return along(base, base.connectivity().opposite_halfedge_handle(collapse.halfedge));
+}
+
+Verdict make_collapse(BaseSurface& base, std::int32_t edge, std::span<const Mobility> mobility, int edge_valence_limit,
+                      Collapse& out) {
+    const Connectivity& mesh = base.connectivity();
+    const OpenMesh::EdgeHandle handle(edge);
+    out = along(base, mesh.halfedge_handle(handle, 0));
+    if (mobility[out.gone] == Mobility::fixed && mobility[out.stays] == Mobility::fixed) {
+        return mesh.is_boundary(handle) ? Verdict::boundary : Verdict::frozen;
+    }
+    const bool border_gone = base.is_border_vertex(out.gone);
+    const bool border_stays = base.is_border_vertex(out.stays);
+    if (border_gone && border_stays && !mesh.is_boundary(handle)) {
+        return Verdict::boundary; // would pinch two parts of the border together
+    }
+    if (mobility[out.gone] == Mobility::fixed || (border_gone && !border_stays)) {
+        out = reversed(base, out);
+    }
+    const auto valence = [&](std::int32_t v) { return static_cast<int>(mesh.valence(OpenMesh::VertexHandle(v))); };
+    if (valence(out.gone) + valence(out.stays) - 1 >= edge_valence_limit) {
+        return Verdict::valence;
+    }
+    return base.connectivity().is_collapse_ok(out.halfedge) ? Verdict::accepted : Verdict::link_condition;
+}
+
+void fill_faces(const BaseSurface& base, const Collapse& collapse, bool two_rings, Patch& patch) {
+    patch.clear();
+    std::vector<std::int32_t> faces;
+    const auto take = [&](std::int32_t v) {
+        base.faces_around(v, faces);
+        patch.removed.insert(patch.removed.end(), faces.begin(), faces.end());
+    };
+    take(collapse.gone);
+    take(collapse.stays);
+    if (two_rings) {
+        std::vector<std::int32_t> rim;
+        rim_of(base, collapse, rim);
+        std::for_each(rim.begin(), rim.end(), take);
+    }
+    std::sort(patch.removed.begin(), patch.removed.end());
+    patch.removed.erase(std::unique(patch.removed.begin(), patch.removed.end()), patch.removed.end());
+    for (const std::int32_t f : patch.removed) {
+        Triangle corners = base.corners(f);
+        const bool has_gone = std::find(corners.begin(), corners.end(), collapse.gone) != corners.end();
+        const bool has_stays = std::find(corners.begin(), corners.end(), collapse.stays) != corners.end();
+        if (has_gone && has_stays) {
+            continue;
+        }
+        std::replace(corners.begin(), corners.end(), collapse.gone, collapse.stays);
+        patch.added.push_back({corners, f});
+    }
+}
+
+void rim_of(const BaseSurface& base, const Collapse& collapse, std::vector<std::int32_t>& out) {
+    out.clear();
+    for (const std::int32_t end : {collapse.gone, collapse.stays}) {
+        for (const auto v : base.connectivity().vv_range(OpenMesh::VertexHandle(end))) {
+            out.push_back(v.idx());
+        }
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    std::erase_if(out, [&](std::int32_t v) { return v == collapse.gone || v == collapse.stays; });
+}
+
+Verdict guard_faces(const BaseSurface& base, const Patch& patch) {
+    for (const PatchFace& face : patch.added) {
+        std::array<Vec3, 3> after;
+        std::array<Vec3, 3> before;
+        const Triangle old = base.corners(face.slot);
+        for (int k = 0; k < 3; ++k) {
+            after[k] = vertex_of(base, patch, face.corners[k]).position;
+            before[k] = base.vertex(old[k]).position;
+        }
+        const Vec3 normal = normal_of(after);
+        if (!(normal.squaredNorm() > 0) || !std::isfinite(normal.squaredNorm())) {
+            return Verdict::degenerate;
+        }
+        if (!(normal.dot(normal_of(before)) > 0)) {
+            return Verdict::flip;
+        }
+    }
+    return Verdict::accepted;
+}
+
+} // namespace foldless

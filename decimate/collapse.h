@@ -1,0 +1,50 @@
+/// \file
+/// An edge collapse as a patch, and the guards that need no validator.
+#pragma once
+
+#include <foldless/decimate/base_surface.h>
+#include <foldless/decimate/patch.h>
+#include <foldless/decimate/verdict.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace foldless {
+
+/// A halfedge collapse: `gone` moves into `stays`.
+///
+///            l                       The faces around both vertices go; those that do not have both of them come
+///          / | \                     back with `stays` in the place of `gone`. The faces (gone, stays, l) and
+///     ... gone-stays ...             (stays, gone, r) vanish.
+///          \ | /
+///            r
+struct Collapse {
+    OpenMesh::HalfedgeHandle halfedge = OpenMesh::HalfedgeHandle(); ///< from gone to stays
+    std::int32_t gone = -1;
+    std::int32_t stays = -1;
+};
+
+/// What may move: a fixed vertex keeps its place for good.
+enum class Mobility : unsigned char { free, fixed };
+
+/// Chooses which end of the edge stays, a fixed one if there is one, and applies the guards of topology: `frozen`,
+/// `boundary`, `valence`, `link_condition`, in this order.
+[[nodiscard]] Verdict make_collapse(BaseSurface& base, std::int32_t edge, std::span<const Mobility> mobility,
+                                    int edge_valence_limit, Collapse& out);
+
+/// The same collapse with the ends exchanged.
+[[nodiscard]] Collapse reversed(const BaseSurface& base, const Collapse& collapse);
+
+/// Fills the faces of the patch: the stars of both ends. With `two_rings` also the faces around the vertices of the
+/// rim, whose directions then change.
+void fill_faces(const BaseSurface& base, const Collapse& collapse, bool two_rings, Patch& patch);
+
+/// Base vertices on the rim of the two stars, in ascending order.
+void rim_of(const BaseSurface& base, const Collapse& collapse, std::vector<std::int32_t>& out);
+
+/// Guards the new faces of the patch: `degenerate` without area, `flip` if one turns by more than a right angle against
+/// the face that it takes over.
+[[nodiscard]] Verdict guard_faces(const BaseSurface& base, const Patch& patch);
+
+} // namespace foldless

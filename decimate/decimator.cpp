@@ -1,0 +1,336 @@
+#include <foldless/decimate/decimator.h>
+
+#include <foldless/decimate/vertex_directions.h>
+#include <foldless/decimate/visible_direction.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foldless {
+namespace {
+
+/// Edges asked between two looks at the clock and two calls of the user's progress function.
+constexpr std::size_t check_interval = 64;
+
+Vec3 unit_normal(const Scan& scan, std::int32_t f) {
+    const Triangle& face = scan.faces[f];
+    const Vec3& p = scan.positions[face[0]];
+    return (scan.positions[face[1]] - p).cross(scan.positions[face[2]] - p).normalized();
+}
+
+/// The corners of a face, turned so that v comes first.
+std::array<Vec3, 3> from_corner(const Triangle& corners, const std::array<Vec3, 3>& positions, std::int32_t v) {
+    const int k = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
+    return {positions[k], positions[(k + 1) % 3], positions[(k + 2) % 3]};
+}
+
+ValidatorOptions validator_options(const DecimateOptions& options) {
+    return {options.unique_among_fold_free ? Uniqueness::fold_free : Uniqueness::in_range,
+            options.directions == Directions::face, options.max_displacement};
+}
+
+} // namespace
+
+Decimator::Decimator(const Scan& scan, const DecimateOptions& options)
+    : scan_(&scan), options_(options), topology_(scan), base_(scan), mobility_(scan.positions.size(), Mobility::free),
+      quadrics_(scan.positions.size()), queue_(base_.connectivity().n_edges()),
+      validator_(base_, scan, topology_, validator_options(options)), face_count_(scan.faces.size()),
+      start_(std::chrono::steady_clock::now()) {
+    find_directions();
+    for (const Triangle& face : scan.faces) {
+        const Vec3& p = scan.positions[face[0]];
+        const Vec3 normal = (scan.positions[face[1]] - p).cross(scan.positions[face[2]] - p);
+        // Distance to the plane, squared, times the area.
+        const double length = normal.norm();
+        const Vec3 weighted = length > 0 ? Vec3(normal / std::sqrt(length)) : Vec3(Vec3::Zero());
+        for (const std::int32_t v : face) {
+            quadrics_[v].add_plane(p - scan.positions[scan.faces[0][0]], weighted);
+        }
+    }
+    fill_queue();
+}
+
+void Decimator::find_directions() {
+    const std::size_t count = scan_->positions.size();
+    std::vector<char> unserved(count, 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const tbb::blocked_range<std::size_t>& range) {
+        std::vector<Vec3> normals;
+        std::vector<std::array<Vec3, 3>> star;
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const auto v = static_cast<std::int32_t>(i);
+            normals.clear();
+            star.clear();
+            for (const std::int32_t f : topology_.faces_around(v)) {
+                const Triangle& face = scan_->faces[f];
+                normals.push_back(unit_normal(*scan_, f));
+                star.push_back(from_corner(
+                    face, {scan_->positions[face[0]], scan_->positions[face[1]], scan_->positions[face[2]]}, v));
+            }
+            const std::optional<Vec3> visible = most_visible_direction(normals);
+            unserved[i] = !normals.empty() && !visible ? 1 : 0;
+            std::optional<Vec3> chosen = visible;
+            if (options_.directions == Directions::area || options_.directions == Directions::angle) {
+                chosen = vertex_normal(star, options_.directions);
+            }
+            // Where nothing serves, any direction will do: the faces there represent themselves.
+            base_.vertex(v).direction = chosen ? stored_direction(*chosen) : Vec3(Vec3::UnitZ());
+        }
+    });
+    freeze_unserved(unserved);
+}
+
+void Decimator::freeze_unserved(const std::vector<char>& unserved) {
+    for (std::size_t v = 0; v < unserved.size(); ++v) {
+        if (options_.boundary == Boundary::lock && topology_.border_successor(static_cast<std::int32_t>(v)) >= 0) {
+            mobility_[v] = Mobility::fixed;
+        }
+        if (unserved[v] == 0) {
+            continue;
+        }
+        ++statistics_.unserved_vertices;
+        for (const std::int32_t f : topology_.faces_around(static_cast<std::int32_t>(v))) {
+            for (const std::int32_t corner : scan_->faces[f]) {
+                mobility_[corner] = Mobility::fixed;
+            }
+        }
+    }
+}
+
+double Decimator::squared_length(std::int32_t edge) const {
+    const auto h = base_.connectivity().halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
+    return (base_.vertex(base_.connectivity().to_vertex_handle(h).idx()).position -
+            base_.vertex(base_.connectivity().from_vertex_handle(h).idx()).position)
+        .squaredNorm();
+}
+
+void Decimator::fill_queue() {
+    const auto count = static_cast<std::int32_t>(base_.connectivity().n_edges());
+    for (std::int32_t edge = 0; edge < count; ++edge) {
+        queue_.push(edge, squared_length(edge));
+    }
+}
+
+std::optional<StopReason> Decimator::interrupted() {
+    if (asked_since_check_++ % check_interval != 0) {
+        return std::nullopt;
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    if (options_.time_limit && elapsed.count() > *options_.time_limit) {
+        return StopReason::time_limit;
+    }
+    if (options_.progress &&
+        !options_.progress({face_count_, options_.target_faces.value_or(0), scan_->faces.size()})) {
+        return StopReason::cancelled;
+    }
+    return std::nullopt;
+}
+
+StopReason Decimator::run() {
+    while (!options_.target_faces || face_count_ > *options_.target_faces) {
+        if (const std::optional<StopReason> reason = interrupted()) {
+            return *reason;
+        }
+        const std::optional<std::int32_t> edge = queue_.pop();
+        if (!edge) {
+            return StopReason::every_edge_refused;
+        }
+        ++statistics_.attempted;
+        if (ask(*edge)) {
+            commit();
+            ++statistics_.accepted;
+        } else {
+            queue_.refuse(*edge);
+        }
+    }
+    return StopReason::target_reached;
+}
+
+bool Decimator::ask(std::int32_t edge) {
+    Collapse collapse;
+    Verdict verdict = make_collapse(base_, edge, mobility_, options_.edge_valence_limit, collapse);
+    if (verdict != Verdict::accepted) {
+        ++statistics_.refused[static_cast<std::size_t>(verdict)];
+        return false;
+    }
+    Quadric quadric = quadrics_[collapse.gone];
+    quadric += quadrics_[collapse.stays];
+    const bool keeps_place = mobility_[collapse.stays] == Mobility::fixed ||
+                             (base_.is_border_vertex(collapse.stays) && !base_.is_border_vertex(collapse.gone));
+    candidates({&base_, collapse, quadric, scan_->positions[scan_->faces[0][0]], keeps_place, scan_->float32},
+               options_.placement, candidates_);
+    for (const Candidate& candidate : candidates_) {
+        verdict = ask_candidate(candidate.at == collapse.gone ? reversed(base_, collapse) : collapse, candidate);
+        if (verdict == Verdict::accepted) {
+            return true;
+        }
+        ++statistics_.refused[static_cast<std::size_t>(verdict)];
+    }
+    return false;
+}
+
+Verdict Decimator::ask_candidate(const Collapse& collapse, const Candidate& candidate) {
+    collapse_ = collapse;
+    fill_faces(base_, collapse, !options_.store_directions, patch_);
+    BaseVertex survivor = base_.vertex(collapse.stays);
+    survivor.position = candidate.position;
+    survivor.scan_vertex = candidate.at == collapse.stays ? survivor.scan_vertex : -1;
+    patch_.changed.push_back({collapse.stays, survivor});
+    BaseVertex gone = base_.vertex(collapse.gone);
+    gone.scan_vertex = -1;
+    patch_.changed.push_back({collapse.gone, gone});
+    const Verdict verdict = guard_faces(base_, patch_);
+    if (verdict != Verdict::accepted) {
+        return verdict;
+    }
+    if (options_.directions != Directions::face && !set_directions(collapse)) {
+        return Verdict::direction;
+    }
+    const Verdict judged = validator_.judge(patch_);
+    statistics_.retested_vertices += validator_.trial().retested;
+    return judged;
+}
+
+bool Decimator::set_directions(const Collapse& collapse) {
+    const std::optional<Vec3> survivor = direction_of(collapse.stays);
+    if (!survivor) {
+        return false;
+    }
+    patch_.changed[0].value.direction = *survivor;
+    if (options_.store_directions) {
+        return true;
+    }
+    rim_of(base_, collapse, rim_);
+    for (const std::int32_t v : rim_) {
+        const std::optional<Vec3> direction = direction_of(v);
+        if (!direction) {
+            return false;
+        }
+        BaseVertex vertex = base_.vertex(v);
+        vertex.direction = *direction;
+        patch_.changed.push_back({v, vertex});
+    }
+    return true;
+}
+
+std::optional<Vec3> Decimator::direction_of(std::int32_t v) {
+    std::optional<Vec3> direction;
+    if (options_.directions == Directions::visible) {
+        direction = visible_direction_of(v);
+    }
+    if (!direction) {
+        // Also where no single direction sees every scan face on the star: the validator asks less, that each scan face
+        // be seen where it lies.
+        star_.clear();
+        for (const PatchFace& face : patch_.added) {
+            if (std::find(face.corners.begin(), face.corners.end(), v) == face.corners.end()) {
+                continue;
+            }
+            std::array<Vec3, 3> positions;
+            for (int k = 0; k < 3; ++k) {
+                const bool moved = face.corners[k] == collapse_.stays;
+                positions[k] = moved ? patch_.changed[0].value.position : base_.vertex(face.corners[k]).position;
+            }
+            star_.push_back(from_corner(face.corners, positions, v));
+        }
+        direction =
+            vertex_normal(star_, options_.directions == Directions::angle ? Directions::angle : Directions::area);
+    }
+    return direction ? std::optional<Vec3>(stored_direction(*direction)) : std::nullopt;
+}
+
+std::optional<Vec3> Decimator::visible_direction_of(std::int32_t v) {
+    std::vector<std::int32_t> star;
+    for (const std::int32_t f : patch_.removed) {
+        const Triangle corners = base_.corners(f);
+        const bool around = std::any_of(corners.begin(), corners.end(), [&](std::int32_t corner) {
+            return corner == v || (v == collapse_.stays && corner == collapse_.gone);
+        });
+        if (around && !is_frozen(f)) {
+            star.push_back(f);
+        }
+    }
+    normals_.clear();
+    for (const std::int32_t f : validator_.gather(star)) {
+        normals_.push_back(unit_normal(*scan_, f));
+    }
+    return most_visible_direction(normals_);
+}
+
+bool Decimator::is_frozen(std::int32_t face) const {
+    const Triangle corners = base_.corners(face);
+    return base_.face(face).is_scan_face &&
+           std::all_of(corners.begin(), corners.end(), [&](std::int32_t v) { return mobility_[v] == Mobility::fixed; });
+}
+
+void Decimator::commit() {
+    std::vector<std::int32_t> edges;
+    for (const std::int32_t v : {collapse_.gone, collapse_.stays}) {
+        for (const auto edge : base_.connectivity().ve_range(OpenMesh::VertexHandle(v))) {
+            edges.push_back(edge.idx());
+        }
+    }
+    base_.connectivity().collapse(collapse_.halfedge);
+    quadrics_[collapse_.stays] += quadrics_[collapse_.gone];
+    for (const PatchVertex& changed : patch_.changed) {
+        base_.vertex(changed.index) = changed.value;
+    }
+    commit_faces();
+    commit_places();
+    update_queue(edges);
+}
+
+void Decimator::commit_faces() {
+    for (const std::int32_t f : patch_.removed) {
+        base_.face(f).scan_faces.clear();
+    }
+    face_count_ -= patch_.removed.size() - patch_.added.size();
+    const Trial& trial = validator_.trial();
+    for (std::size_t n = 0; n < patch_.added.size(); ++n) {
+        BaseFace& face = base_.face(patch_.added[n].slot);
+        face.range = trial.faces[n].range;
+        face.is_scan_face = trial.faces[n].is_scan_face;
+        face.scan_faces = trial.faces[n].scan_faces;
+    }
+    for (const std::int32_t f : patch_.removed) {
+        if (base_.face(f).scan_faces.empty()) {
+            base_.face(f).scan_faces.shrink_to_fit();
+        }
+    }
+}
+
+void Decimator::commit_places() {
+    for (const Trial::NewPlace& place : validator_.trial().places) {
+        const PatchFace& face = patch_.added[place.face];
+        // The collapse may have turned the corners of the face.
+        const Triangle corners = base_.corners(face.slot);
+        Place& stored = base_.place(place.scan_vertex);
+        stored.face = face.slot;
+        stored.kept = -1;
+        stored.t = place.t;
+        for (int k = 0; k < 3; ++k) {
+            const auto before = std::find(face.corners.begin(), face.corners.end(), corners[k]) - face.corners.begin();
+            stored.alpha[k] = place.alpha[before];
+        }
+    }
+}
+
+void Decimator::update_queue(const std::vector<std::int32_t>& edges_before) {
+    const Connectivity& mesh = base_.connectivity();
+    for (const std::int32_t edge : edges_before) {
+        if (mesh.status(OpenMesh::EdgeHandle(edge)).deleted()) {
+            queue_.erase(edge);
+        } else {
+            queue_.push(edge, squared_length(edge));
+        }
+    }
+    for (const auto neighbour : mesh.vv_range(OpenMesh::VertexHandle(collapse_.stays))) {
+        for (const auto edge : mesh.ve_range(neighbour)) {
+            queue_.wake(edge.idx());
+        }
+    }
+}
+
+} // namespace foldless

@@ -1,0 +1,74 @@
+/// \file
+/// The decimation loop.
+#pragma once
+
+#include <foldless/decimate/base_surface.h>
+#include <foldless/decimate/collapse.h>
+#include <foldless/decimate/decimate.h>
+#include <foldless/decimate/edge_queue.h>
+#include <foldless/decimate/placement.h>
+#include <foldless/decimate/quadric.h>
+#include <foldless/decimate/scan_topology.h>
+#include <foldless/decimate/validator.h>
+
+#include <chrono>
+#include <vector>
+
+namespace foldless {
+
+/// One decimation, from the scan as its own base mesh to the last collapse.
+///
+/// ask() computes and judges without touching anything; commit() is the only function that writes to the base mesh.
+class Decimator {
+public:
+    /// Sets everything up: connectivity, directions, vertices that no direction serves, quadrics, the queue.
+    Decimator(const Scan& scan, const DecimateOptions& options);
+
+    /// Collapses until the target, the last edge, the time limit or the user stops it.
+    [[nodiscard]] StopReason run();
+
+    [[nodiscard]] const BaseSurface& base() const { return base_; }
+    [[nodiscard]] const DecimateStatistics& statistics() const { return statistics_; }
+    [[nodiscard]] std::size_t face_count() const { return face_count_; }
+
+private:
+    void find_directions();
+    void freeze_unserved(const std::vector<char>& unserved);
+    void fill_queue();
+
+    [[nodiscard]] bool ask(std::int32_t edge);
+    [[nodiscard]] Verdict ask_candidate(const Collapse& collapse, const Candidate& candidate);
+    [[nodiscard]] bool set_directions(const Collapse& collapse);
+    [[nodiscard]] std::optional<Vec3> direction_of(std::int32_t v);
+    [[nodiscard]] std::optional<Vec3> visible_direction_of(std::int32_t v);
+    [[nodiscard]] bool is_frozen(std::int32_t face) const;
+    void commit();
+    void commit_faces();
+    void commit_places();
+    void update_queue(const std::vector<std::int32_t>& edges_before);
+    [[nodiscard]] std::optional<StopReason> interrupted();
+    [[nodiscard]] double squared_length(std::int32_t edge) const;
+
+    const Scan* scan_;
+    DecimateOptions options_;
+    ScanTopology topology_;
+    BaseSurface base_;
+    std::vector<Mobility> mobility_;
+    std::vector<Quadric> quadrics_;
+    EdgeQueue queue_;
+    Validator validator_;
+    std::size_t face_count_;
+    DecimateStatistics statistics_;
+    std::chrono::steady_clock::time_point start_;
+    std::size_t asked_since_check_ = 0;
+
+    // The collapse under question; valid for commit() once ask() has said yes.
+    Collapse collapse_;
+    Patch patch_;
+    std::vector<Candidate> candidates_;
+    std::vector<std::int32_t> rim_;
+    std::vector<std::array<Vec3, 3>> star_;
+    std::vector<Vec3> normals_;
+};
+
+} // namespace foldless

@@ -1,0 +1,145 @@
+#include <foldless/decimate/edge_trace.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foldless {
+namespace {
+
+/// A scan edge crosses more walls than this only where base faces are far smaller than scan faces; giving up then
+/// refuses.
+constexpr int most_crossings = 200;
+
+Range hull(double a, double b) {
+    return {std::min(a, b), std::max(a, b)};
+}
+
+/// A crossing through which the edge leaves a cell.
+struct Exit {
+    int wall = -1;
+    Wall::Crossing at{};
+};
+
+/// The first wall through which the edge leaves the cell, coming from displacement `t`, not further back than s.
+Exit first_exit(const Cell& cell, const std::array<Vec3, 2>& edge, int entered_by, double s) {
+    const Vec3 e = edge[1] - edge[0];
+    Exit exit;
+    for (int k = 0; k < 3; ++k) {
+        if (k == entered_by) {
+            continue;
+        }
+        const Wall::Crossings found = cell.walls[k].crossings(edge[0], e, {cell.range, true});
+        for (int n = 0; n < found.count; ++n) {
+            const Wall::Crossing& at = found.values[n];
+            const bool ahead = at.s >= s - at.error;
+            const bool in_range = at.t >= cell.range.lo && at.t <= cell.range.hi;
+            const bool outwards = cell.walls[k].passes_at(e, at) == Sign::positive || std::isinf(at.error);
+            if (ahead && in_range && outwards && (exit.wall < 0 || at.s < exit.at.s)) {
+                exit = {k, at};
+            }
+        }
+    }
+    return exit;
+}
+
+bool strictly_inside_unit(double value, double error) {
+    return value > error && value < 1 - error;
+}
+
+/// Whether the line meets the wall at no more than one displacement in the range.
+bool leaves_once(const Wall& wall, const Vec3& a, const Vec3& e, Range range) {
+    return wall.passes(e, range) == Sign::positive || wall.meets_once_at_most(a, e, range);
+}
+
+/// Whether wall k of the cell ends at a kept end of the stretch and is met only there.
+bool met_only_at_end(const PatchedSurface& surface, int cell, int k, const Stretch& stretch) {
+    for (const std::int32_t v : stretch.kept) {
+        const int corner = v < 0 ? -1 : surface.corner_of(cell, v);
+        if (corner >= 0 && corner != k) {
+            const int lambda = corner == (k + 1) % 3 ? 0 : 1;
+            if (surface.cell(cell).walls[k].met_only_at_corner(stretch.e, lambda, stretch.range)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// Whether every crossing of the line with the wall lies outside the stretch; one at an end is that end itself.
+bool crosses_elsewhere(const Wall& wall, const Stretch& stretch) {
+    const Wall::Crossings found = wall.crossings(stretch.a, stretch.e, {stretch.range, false});
+    for (int n = 0; n < found.count; ++n) {
+        const Wall::Crossing& at = found.values[n];
+        const double slack = at.error + stretch.s_error;
+        const bool between = at.s > stretch.s[0] + slack && at.s < stretch.s[1] - slack;
+        const bool in_range = at.t >= stretch.range.lo - at.t_error && at.t <= stretch.range.hi + at.t_error;
+        if ((between && in_range) || std::isinf(at.error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+bool meets_no_wall(const PatchedSurface& surface, int cell, const Stretch& stretch) {
+    const Cell& c = surface.cell(cell);
+    for (int k = 0; k < 3; ++k) {
+        if (k != stretch.exit && c.walls[k].passes(stretch.e, stretch.range) == Sign::undecided &&
+            !c.walls[k].misses(stretch.a, stretch.e, stretch.range) && !met_only_at_end(surface, cell, k, stretch) &&
+            !stays_off_wall(c.triangle, k, part_of_edge(stretch.a, stretch.e, stretch.s, stretch.s_error),
+                            stretch.range) &&
+            !crosses_elsewhere(c.walls[k], stretch)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+Verdict trace_edge(PatchedSurface& surface, const TraceEnd& a, const TraceEnd& b,
+                   std::vector<TraceCrossing>& crossings) {
+    const std::array<Vec3, 2> edge{a.point, b.point};
+    const Vec3 e = b.point - a.point;
+    int at = a.cell;
+    int entered_by = -1;
+    double t = a.t;
+    double s = 0;
+    double s_error = 0;
+    for (int n = 0; n < most_crossings; ++n) {
+        const std::int32_t from_kept = n == 0 ? a.kept : -1;
+        if (at == b.cell) {
+            const Stretch rest{a.point, e, {s, 1.0}, s_error, hull(t, b.t), {from_kept, b.kept}, -1};
+            if (meets_no_wall(surface, at, rest)) {
+                return Verdict::accepted;
+            }
+        }
+        const Exit exit = first_exit(surface.cell(at), edge, entered_by, s);
+        if (exit.wall < 0) {
+            return at == b.cell ? Verdict::undecided : Verdict::no_preimage;
+        }
+        const Cell& cell = surface.cell(at);
+        const Range between = hull(t, exit.at.t);
+        const Stretch way{a.point,         e,        {s, exit.at.s}, std::max(s_error, exit.at.error), between,
+                          {from_kept, -1}, exit.wall};
+        if (!strictly_inside_unit(exit.at.lambda, exit.at.error) ||
+            !leaves_once(cell.walls[exit.wall], a.point, e, between) || !meets_no_wall(surface, at, way)) {
+            return Verdict::undecided;
+        }
+        const std::array<std::int32_t, 2> base_edge{cell.corners[(exit.wall + 1) % 3],
+                                                    cell.corners[(exit.wall + 2) % 3]};
+        const int next = surface.neighbour(at, exit.wall);
+        if (next == border || surface.cell(next).impassable) {
+            return Verdict::no_preimage;
+        }
+        crossings.push_back({at, next, base_edge, exit.at.lambda, exit.at.error, exit.at.t, exit.at.t_error});
+        entered_by = surface.corner_of(next, base_edge[0]);
+        entered_by = (entered_by + 1) % 3; // next runs along the edge from base_edge[1] to base_edge[0]
+        at = next;
+        t = exit.at.t;
+        s = exit.at.s;
+        s_error = exit.at.error;
+    }
+    return Verdict::undecided;
+}
+
+} // namespace foldless

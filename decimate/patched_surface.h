@@ -1,0 +1,88 @@
+/// \file
+/// The base mesh as it would be with a patch in place, without touching it.
+#pragma once
+
+#include <foldless/decimate/patch.h>
+#include <foldless/predicates/vector.h>
+#include <foldless/predicates/wall.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace foldless {
+
+/// A face of the patched surface, prepared for questions. New faces come first and are the patch's, in order; faces
+/// outside the patch are added when a question reaches them.
+struct Cell {
+    std::int32_t face;             ///< base face outside the patch, or -1 for a new face
+    Triangle corners;              ///< base vertices
+    std::array<bool, 3> kept;      ///< which corners are kept vertices
+    std::array<int, 3> neighbours; ///< cells opposite each corner, or one of the values below
+    BaseTriangle triangle;         ///< positions and directions
+    std::array<Wall, 3> walls;     ///< walls opposite each corner
+    Range range;                   ///< outside: the stored one; new: where J > 0 can hold, then the hull
+    bool impassable;               ///< a scan face that represents itself: nothing may enter it
+};
+
+/// Values of Cell::neighbours that are no cell.
+inline constexpr int border = -1;
+inline constexpr int not_yet_known = -2;
+
+/// Where the edges of a fan of cells around a vertex lie: cell c between edges c and c + 1, counter-clockwise.
+struct Fan {
+    std::vector<int> cells;
+    std::vector<std::int32_t> spokes; ///< the base vertex at the far end of each edge; one more than cells if open
+    bool closed = true;
+};
+
+/// The displacement direction of a face with constant directions: its unit normal, rounded to float32.
+[[nodiscard]] Vec3 face_direction(const std::array<Vec3, 3>& corners);
+
+class PatchedSurface {
+public:
+    explicit PatchedSurface(const BaseSurface& base);
+
+    /// Prepares the questions about one patch; the patch must outlive them. With `constant_directions` every face has
+    /// its own normal as the direction of its corners.
+    void reset(const Patch& patch, bool constant_directions);
+
+    [[nodiscard]] int new_cells() const { return static_cast<int>(patch_->added.size()); }
+    [[nodiscard]] Cell& cell(int c) { return cells_[c]; }
+    [[nodiscard]] const Cell& cell(int c) const { return cells_[c]; }
+    [[nodiscard]] const BaseVertex& vertex(std::int32_t v) const;
+    [[nodiscard]] const BaseSurface& base() const { return *base_; }
+
+    /// Whether the patch takes this base face away.
+    [[nodiscard]] bool removes(std::int32_t face) const { return removed_stamp_[face] == stamp_; }
+    /// The cell of a base face outside the patch.
+    [[nodiscard]] int cell_of(std::int32_t face);
+    /// The cell across the wall opposite corner k, or `border`.
+    [[nodiscard]] int neighbour(int c, int k);
+    /// The corner of the cell that the base vertex is, or -1.
+    [[nodiscard]] int corner_of(int c, std::int32_t v) const;
+    /// Whether two cells have a corner in common.
+    [[nodiscard]] bool share_corner(int a, int b) const;
+    /// The passable cells outside the patch that share a corner with a new cell.
+    void cells_beside(std::vector<int>& out);
+    /// The fan of cells around a vertex of the patched surface.
+    void fan(std::int32_t v, Fan& out);
+
+private:
+    [[nodiscard]] Cell prepare(std::int32_t face, const Triangle& corners, bool impassable) const;
+    [[nodiscard]] bool represents_itself(const PatchFace& face) const;
+    [[nodiscard]] int across(std::int32_t from, std::int32_t to) const;
+    [[nodiscard]] int any_cell_at(std::int32_t v);
+
+    const BaseSurface* base_;
+    const Patch* patch_ = nullptr;
+    bool constant_directions_ = false;
+    std::vector<Cell> cells_;
+    std::uint32_t stamp_ = 0;
+    std::vector<std::uint32_t> removed_stamp_; ///< per base face
+    std::vector<std::uint32_t> cell_stamp_;    ///< per base face
+    std::vector<int> cell_index_;              ///< per base face, valid where stamped
+    std::vector<std::int32_t> around_;         ///< scratch
+};
+
+} // namespace foldless

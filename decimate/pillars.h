@@ -1,0 +1,52 @@
+/// \file
+/// Condition P: which base vertices lie inside the image of a scan triangle.
+#pragma once
+
+#include <foldless/decimate/edge_trace.h>
+#include <foldless/decimate/patched_surface.h>
+#include <foldless/decimate/verdict.h>
+#include <foldless/predicates/vector.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace foldless {
+
+/// A base vertex whose pillar passes through a scan triangle, at the displacement t.
+struct Pillar {
+    std::int32_t vertex;
+    double t;
+    double t_error;
+};
+
+/// Base edges that the boundary of a scan triangle crosses an odd number of times.
+class OddEdges {
+public:
+    void clear() { edges_.clear(); }
+    void toggle(std::int32_t a, std::int32_t b);
+    [[nodiscard]] bool contains(std::int32_t a, std::int32_t b) const;
+    [[nodiscard]] bool empty() const { return edges_.empty(); }
+    [[nodiscard]] std::size_t size() const { return edges_.size(); }
+    [[nodiscard]] const std::vector<std::array<std::int32_t, 2>>& values() const { return edges_; }
+
+private:
+    std::vector<std::array<std::int32_t, 2>> edges_; ///< smaller index first
+};
+
+/// Finds the set I of base vertices inside the image of the triangle, by flooding from the odd edges: exactly one end
+/// of an odd edge is inside, both or neither of an even one; every vertex inside must be pierced with N.n > 0. Appends
+/// them. Fails with `normal_condition` when the parities do not fit, or `undecided`.
+class PillarFlood {
+public:
+    [[nodiscard]] Verdict find(PatchedSurface& surface, const ScanTriangle& triangle, const OddEdges& odd,
+                               std::vector<Pillar>& inside);
+
+private:
+    [[nodiscard]] Verdict spread(PatchedSurface& surface, const ScanTriangle& triangle, const OddEdges& odd,
+                                 std::vector<Pillar>& inside);
+    std::vector<std::int32_t> outside_;
+    Fan fan_;
+    std::size_t odd_met_ = 0;
+};
+
+} // namespace foldless

@@ -1,0 +1,58 @@
+#include <foldless/decimate/trace_cache.h>
+
+#include <algorithm>
+
+namespace foldless {
+namespace {
+
+constexpr std::size_t smallest_table = 64;
+
+} // namespace
+
+void TraceCache::clear() {
+    table_.assign(std::max(smallest_table, table_.size()), -1);
+    entries_.clear();
+    pool_.clear();
+}
+
+std::size_t TraceCache::slot(std::int32_t a, std::int32_t b) const {
+    const std::size_t mask = table_.size() - 1;
+    // Two odd multipliers spread neighbouring indices; the high bits are folded down because the mask keeps low ones.
+    std::uint64_t hash =
+        static_cast<std::uint64_t>(a) * 0x9E3779B97F4A7C15ULL ^ static_cast<std::uint64_t>(b) * 0xC2B2AE3D27D4EB4FULL;
+    hash ^= hash >> 32;
+    std::size_t at = hash & mask;
+    while (table_[at] >= 0 && (entries_[table_[at]].a != a || entries_[table_[at]].b != b)) {
+        at = (at + 1) & mask;
+    }
+    return at;
+}
+
+void TraceCache::grow() {
+    table_.assign(2 * table_.size(), -1);
+    for (std::size_t n = 0; n < entries_.size(); ++n) {
+        table_[slot(entries_[n].a, entries_[n].b)] = static_cast<std::int32_t>(n);
+    }
+}
+
+Verdict TraceCache::trace(std::int32_t a, std::int32_t b,
+                          const std::function<Verdict(std::vector<TraceCrossing>&)>& follow,
+                          std::vector<TraceCrossing>& crossings) {
+    std::size_t at = slot(a, b);
+    if (table_[at] < 0) {
+        const std::size_t begin = pool_.size();
+        const Verdict verdict = follow(pool_);
+        table_[at] = static_cast<std::int32_t>(entries_.size());
+        entries_.push_back({a, b, begin, pool_.size(), verdict});
+        if (2 * entries_.size() > table_.size()) {
+            grow();
+            at = slot(a, b);
+        }
+    }
+    const Entry& entry = entries_[table_[at]];
+    crossings.insert(crossings.end(), pool_.begin() + static_cast<std::ptrdiff_t>(entry.begin),
+                     pool_.begin() + static_cast<std::ptrdiff_t>(entry.end));
+    return entry.verdict;
+}
+
+} // namespace foldless

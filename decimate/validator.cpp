@@ -1,0 +1,605 @@
+#include <foldless/decimate/validator.h>
+
+#include <foldless/decimate/cell_places.h>
+
+#include <foldless/io/float32.h>
+#include <foldless/predicates/jacobian.h>
+#include <foldless/predicates/scan_orientation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace foldless {
+namespace {
+
+/// Ranges are padded by this many times the error of a displacement, so that the same crossing, computed again from the
+/// other side of a wall with other roundings, still lies inside.
+constexpr double range_padding = 4;
+
+/// The nearest float32 not above / not below the value.
+double float_below(double value) {
+    const double rounded = to_float32(value);
+    const float infinity = std::numeric_limits<float>::infinity();
+    return rounded > value ? std::nextafter(static_cast<float>(rounded), -infinity) : rounded;
+}
+double float_above(double value) {
+    return -float_below(-value);
+}
+
+Verdict verdict_of(Sign sign, Verdict refusal) {
+    if (sign == Sign::positive) {
+        return Verdict::accepted;
+    }
+    return sign == Sign::undecided ? Verdict::undecided : refusal;
+}
+
+ScanTriangle triangle_of(const Scan& scan, std::int32_t f) {
+    const Triangle& face = scan.faces[f];
+    return {scan.positions[face[0]], scan.positions[face[1]], scan.positions[face[2]]};
+}
+
+} // namespace
+
+Validator::Validator(const BaseSurface& base, const Scan& scan, const ScanTopology& topology,
+                     const ValidatorOptions& options)
+    : base_(&base), scan_(&scan), topology_(&topology), options_(options), surface_(base),
+      face_stamp_(scan.faces.size(), 0), vertex_stamp_(scan.positions.size(), 0),
+      vertex_index_(scan.positions.size(), -1) {}
+
+const std::vector<std::int32_t>& Validator::gather(const std::vector<std::int32_t>& removed) {
+    ++stamp_;
+    scan_faces_.clear();
+    for (const std::int32_t face : removed) {
+        for (const std::int32_t f : base_->face(face).scan_faces) {
+            if (face_stamp_[f] != stamp_) {
+                face_stamp_[f] = stamp_;
+                scan_faces_.push_back(f);
+            }
+        }
+    }
+    return scan_faces_;
+}
+
+Verdict Validator::judge(const Patch& patch) {
+    surface_.reset(patch, options_.constant_directions);
+    static_cast<void>(gather(patch.removed));
+    const std::size_t count = patch.added.size();
+    trial_.faces.resize(count);
+    for (std::size_t c = 0; c < count; ++c) {
+        trial_.faces[c].scan_faces.clear();
+        trial_.faces[c].is_scan_face = surface_.cell(static_cast<int>(c)).impassable;
+    }
+    trial_.places.clear();
+    traces_.clear();
+    trial_.retested = 0;
+    const double infinity = std::numeric_limits<double>::infinity();
+    hulls_.assign(count, {infinity, -infinity});
+
+    Verdict verdict = location_.reset(surface_, options_.uniqueness);
+    if (verdict == Verdict::accepted) {
+        verdict = locate_vertices();
+    }
+    if (verdict == Verdict::accepted) {
+        verdict = reach_kept_corners(patch);
+    }
+    if (verdict == Verdict::accepted && !options_.constant_directions) {
+        verdict = order_fans(patch);
+    }
+    for (std::size_t n = 0; verdict == Verdict::accepted && n < scan_faces_.size(); ++n) {
+        verdict = test_face(scan_faces_[n]);
+    }
+    if (verdict == Verdict::accepted) {
+        verdict = close_ranges();
+    }
+    if (verdict == Verdict::accepted) {
+        verdict = test_alternatives();
+    }
+    return verdict == Verdict::accepted ? test_faces_beside() : verdict;
+}
+
+Verdict Validator::locate_vertices() {
+    scan_vertices_.clear();
+    lifts_.clear();
+    alternatives_.clear();
+    for (const std::int32_t f : scan_faces_) {
+        for (const std::int32_t v : scan_->faces[f]) {
+            if (vertex_stamp_[v] == stamp_) {
+                continue;
+            }
+            vertex_stamp_[v] = stamp_;
+            vertex_index_[v] = -1;
+            const Place& place = base_->place(v);
+            const bool moves =
+                place.kept >= 0 ? surface_.vertex(place.kept).scan_vertex != v : surface_.removes(place.face);
+            if (!moves) {
+                continue;
+            }
+            Lift lift{};
+            ++trial_.retested;
+            const Verdict verdict = location_.locate(scan_->positions[v], lift);
+            if (verdict != Verdict::accepted) {
+                return verdict;
+            }
+            for (const Lift& other : location_.alternatives()) {
+                alternatives_.emplace_back(v, other);
+            }
+            vertex_index_[v] = static_cast<std::int32_t>(lifts_.size());
+            lifts_.push_back(lift);
+            trial_.places.push_back({v, lift.cell, lift.at.alpha, lift.at.t});
+            const Verdict reached = reach(lift.cell, lift.at.t, lift.at.t_error);
+            if (reached != Verdict::accepted) {
+                return reached;
+            }
+            const int beside = lift.wall < 0 ? border : surface_.neighbour(lift.cell, lift.wall);
+            if (beside != border) {
+                const Verdict also = reach(beside, lift.at.t, lift.at.t_error);
+                if (also != Verdict::accepted) {
+                    return also;
+                }
+            }
+        }
+    }
+    return Verdict::accepted;
+}
+
+Verdict Validator::reach_kept_corners(const Patch& patch) {
+    for (std::size_t c = 0; c < patch.added.size(); ++c) {
+        const std::array<bool, 3>& kept = surface_.cell(static_cast<int>(c)).kept;
+        if (!trial_.faces[c].is_scan_face && (kept[0] || kept[1] || kept[2])) {
+            const Verdict verdict = reach(static_cast<int>(c), 0, 0);
+            if (verdict != Verdict::accepted) {
+                return verdict;
+            }
+        }
+    }
+    return Verdict::accepted;
+}
+
+Verdict Validator::order_fans(const Patch& patch) {
+    orders_used_ = 0;
+    for (std::size_t c = 0; c < patch.added.size(); ++c) {
+        for (const std::int32_t v : patch.added[c].corners) {
+            const BaseVertex& vertex = surface_.vertex(v);
+            if (vertex.scan_vertex < 0) {
+                continue;
+            }
+            const auto end = orders_.begin() + static_cast<std::ptrdiff_t>(orders_used_);
+            if (std::any_of(orders_.begin(), end, [&](const FanOrder& order) { return order.vertex() == v; })) {
+                continue;
+            }
+            if (orders_used_ == orders_.size()) {
+                orders_.emplace_back();
+            }
+            const Verdict verdict = orders_[orders_used_].reset(v, surface_, *scan_, *topology_);
+            if (verdict != Verdict::accepted) {
+                return verdict;
+            }
+            ++orders_used_;
+        }
+    }
+    return Verdict::accepted;
+}
+
+const FanOrder* Validator::order_of(std::int32_t base_vertex) {
+    for (std::size_t n = 0; n < orders_used_; ++n) {
+        if (orders_[n].vertex() == base_vertex) {
+            return &orders_[n];
+        }
+    }
+    if (orders_used_ == orders_.size()) {
+        return nullptr; // grown between faces only, so that pointers stay valid
+    }
+    FanOrder& order = orders_[orders_used_];
+    if (order.reset(base_vertex, surface_, *scan_, *topology_) != Verdict::accepted) {
+        return nullptr;
+    }
+    ++orders_used_;
+    return &order;
+}
+
+bool Validator::corner(std::int32_t scan_vertex, Corner& out) {
+    out.scan_vertex = scan_vertex;
+    const bool listed = vertex_stamp_[scan_vertex] == stamp_ && vertex_index_[scan_vertex] >= 0;
+    if (listed) {
+        const Lift& lift = lifts_[vertex_index_[scan_vertex]];
+        out = {scan_vertex, lift.cell, nullptr, lift.at.alpha, lift.at.t, lift.at.alpha_error, true};
+        return true;
+    }
+    const Place& place = base_->place(scan_vertex);
+    if (place.kept >= 0) {
+        out = {scan_vertex, -1, nullptr, Vec3::Zero(), 0.0, 0.0, false};
+        if (!options_.constant_directions) {
+            out.order = order_of(place.kept);
+        }
+        return out.order != nullptr || options_.constant_directions;
+    }
+    out = {scan_vertex, surface_.cell_of(place.face), nullptr, place.alpha, place.t, 0.0, false};
+    return true;
+}
+
+void Validator::touch(int cell, std::int32_t scan_face) {
+    if (cell < 0 || cell >= surface_.new_cells()) {
+        return;
+    }
+    std::vector<std::int32_t>& faces = trial_.faces[cell].scan_faces;
+    if (faces.empty() || faces.back() != scan_face) {
+        faces.push_back(scan_face);
+    }
+}
+
+Verdict Validator::reach(int cell, double t, double t_error) {
+    if (cell < surface_.new_cells()) {
+        hulls_[cell].lo = std::min(hulls_[cell].lo, t - range_padding * t_error);
+        hulls_[cell].hi = std::max(hulls_[cell].hi, t + range_padding * t_error);
+        return Verdict::accepted;
+    }
+    const Range range = surface_.cell(cell).range;
+    return t - t_error >= range.lo && t + t_error <= range.hi ? Verdict::accepted : Verdict::out_of_range;
+}
+
+std::int32_t Validator::kept_as(const Corner& corner) {
+    return corner.order == nullptr ? -1 : corner.order->vertex();
+}
+
+int Validator::common_cell(const std::array<Corner, 3>& corners) const {
+    int common = -1;
+    for (const Corner& corner : corners) {
+        if (corner.cell >= 0) {
+            if (common >= 0 && common != corner.cell) {
+                return -1;
+            }
+            common = corner.cell;
+        }
+    }
+    // All kept: the face lies where its first edge that is no base edge starts.
+    for (int k = 0; common < 0 && k < 3; ++k) {
+        const std::int32_t next = corners[(k + 1) % 3].scan_vertex;
+        if (!corners[k].order->is_base_edge(next)) {
+            common = corners[k].order->start_cell(next);
+        }
+    }
+    if (common < 0) { // a base triangle: counter-clockwise of the base edge to the next corner
+        const int position = corners[0].order->position(corners[1].scan_vertex);
+        const int cells = static_cast<int>(corners[0].order->fan().cells.size());
+        common = position / 2 < cells ? corners[0].order->fan().cells[position / 2] : -1;
+    }
+    return common;
+}
+
+Verdict Validator::stays_in(int cell, const std::array<Corner, 3>& corners) const {
+    // `undecided` here only means: not by this short way.
+    Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (int k = 0; k < 3; ++k) {
+        const Corner& corner = corners[k];
+        range.lo = std::min(range.lo, corner.t);
+        range.hi = std::max(range.hi, corner.t);
+        if (corner.order == nullptr) {
+            continue;
+        }
+        if (surface_.corner_of(cell, corner.order->vertex()) < 0) {
+            return Verdict::undecided;
+        }
+        for (const int other : {(k + 1) % 3, (k + 2) % 3}) {
+            const std::int32_t neighbour = corners[other].scan_vertex;
+            if (!corner.order->is_base_edge(neighbour) && corner.order->start_cell(neighbour) != cell) {
+                return Verdict::undecided;
+            }
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        const Corner& a = corners[k];
+        const Corner& b = corners[(k + 1) % 3];
+        if (a.order != nullptr && a.order->is_base_edge(b.scan_vertex)) {
+            continue;
+        }
+        const Vec3& from = scan_->positions[a.scan_vertex];
+        const Vec3& to = scan_->positions[b.scan_vertex];
+        if (!meets_no_wall(surface_, cell, {from, to - from, {0.0, 1.0}, 0.0, range, {kept_as(a), kept_as(b)}, -1})) {
+            return Verdict::undecided;
+        }
+    }
+    return Verdict::accepted;
+}
+
+Verdict Validator::test_face(std::int32_t scan_face) {
+    const Triangle& face = scan_->faces[scan_face];
+    std::array<Corner, 3> corners{};
+    for (std::size_t n = orders_.size(); n < orders_used_ + 3; ++n) {
+        orders_.emplace_back();
+    }
+    int kept = 0;
+    for (int k = 0; k < 3; ++k) {
+        if (!corner(face[k], corners[k])) {
+            return Verdict::undecided;
+        }
+        kept += corners[k].cell < 0 ? 1 : 0;
+    }
+    const ScanTriangle q = triangle_of(*scan_, scan_face);
+    const ScanNormal normal(q);
+    if (options_.constant_directions) {
+        return test_constant(scan_face, corners, normal);
+    }
+    crossings_.clear();
+    odd_.clear();
+    inside_.clear();
+    const int cell = common_cell(corners);
+    if (cell >= 0 && surface_.cell(cell).impassable) {
+        if (kept == 3) { // represented by itself
+            touch(cell, scan_face);
+            return Verdict::accepted;
+        }
+        return Verdict::no_preimage;
+    }
+    Verdict verdict = test_corners(corners, normal);
+    if (verdict != Verdict::accepted) {
+        return verdict;
+    }
+    if (cell >= 0 && stays_in(cell, corners) == Verdict::accepted) {
+        touch(cell, scan_face);
+        return cell < surface_.new_cells() ? test_orientation(cell, corners) : Verdict::accepted;
+    }
+    verdict = test_spanning(q, corners);
+    if (verdict != Verdict::accepted) {
+        return verdict;
+    }
+    return record(scan_face, corners);
+}
+
+Verdict Validator::test_orientation(int cell, const std::array<Corner, 3>& corners) const {
+    BarycentricTriangle alpha;
+    std::array<double, 3> error{};
+    for (int k = 0; k < 3; ++k) {
+        const int corner = corners[k].order == nullptr ? -1 : surface_.corner_of(cell, corners[k].order->vertex());
+        alpha[k] = corner < 0 ? corners[k].alpha : Vec3(Vec3::Unit(corner));
+        error[k] = corners[k].alpha_error;
+    }
+    return verdict_of(scan_orientation(alpha, error), Verdict::orientation);
+}
+
+Verdict Validator::test_constant(std::int32_t scan_face, const std::array<Corner, 3>& corners,
+                                 const ScanNormal& normal) {
+    // The prismoids of neighbours with different normals leave gaps or overlap, so a scan face must lie over one face.
+    // A right prism is convex: with the corners inside, the whole face is.
+    for (int c = 0; c < surface_.new_cells(); ++c) {
+        std::array<Corner, 3> in_cell = corners;
+        bool all = true;
+        for (Corner& corner : in_cell) {
+            if (corner.cell < 0) {
+                const int k = surface_.corner_of(c, base_->place(corner.scan_vertex).kept);
+                all = all && k >= 0;
+                corner.alpha = Vec3::Unit(std::max(k, 0));
+            } else {
+                all = all && corner.cell == c;
+            }
+        }
+        if (!all) {
+            continue;
+        }
+        touch(c, scan_face);
+        const Verdict seen = verdict_of(normal.seen_along(surface_.cell(c).triangle.d[0]), Verdict::normal_condition);
+        const bool itself = surface_.cell(c).impassable;
+        return seen != Verdict::accepted || itself ? seen : test_orientation(c, in_cell);
+    }
+    return Verdict::no_preimage;
+}
+
+Verdict Validator::test_corners(const std::array<Corner, 3>& corners, const ScanNormal& normal) const {
+    for (const Corner& corner : corners) {
+        Sign sign = Sign::positive;
+        if (corner.order != nullptr) {
+            sign = normal.seen_along(surface_.vertex(corner.order->vertex()).direction);
+        } else if (corner.is_new) {
+            const std::array<Vec3, 3>& d = surface_.cell(corner.cell).triangle.d;
+            const bool seen_by_all = normal.seen_along(d[0]) == Sign::positive &&
+                                     normal.seen_along(d[1]) == Sign::positive &&
+                                     normal.seen_along(d[2]) == Sign::positive;
+            sign = seen_by_all ? Sign::positive : normal_condition(d, corner.alpha, corner.alpha_error, normal);
+        }
+        const Verdict verdict = verdict_of(sign, Verdict::normal_condition);
+        if (verdict != Verdict::accepted) {
+            return verdict;
+        }
+    }
+    return Verdict::accepted;
+}
+
+Verdict Validator::trace(const Corner& a, const Corner& b) {
+    if (a.order != nullptr && a.order->is_base_edge(b.scan_vertex)) {
+        return Verdict::accepted;
+    }
+    const auto end = [&](const Corner& at, const Corner& other) {
+        const int cell = at.order != nullptr ? at.order->start_cell(other.scan_vertex) : at.cell;
+        return TraceEnd{scan_->positions[at.scan_vertex], cell, at.t, kept_as(at)};
+    };
+    const Corner& low = a.scan_vertex < b.scan_vertex ? a : b;
+    const Corner& high = a.scan_vertex < b.scan_vertex ? b : a;
+    const auto follow = [&](std::vector<TraceCrossing>& out) {
+        return trace_edge(surface_, end(low, high), end(high, low), out);
+    };
+    return traces_.trace(low.scan_vertex, high.scan_vertex, follow, crossings_);
+}
+
+Verdict Validator::test_spanning(const ScanTriangle& q, const std::array<Corner, 3>& corners) {
+    for (int k = 0; k < 3; ++k) {
+        const Verdict verdict = trace(corners[k], corners[(k + 1) % 3]);
+        if (verdict != Verdict::accepted) {
+            return verdict;
+        }
+    }
+    const ScanNormal normal(q);
+    Verdict verdict = test_crossings(normal);
+    return verdict == Verdict::accepted ? test_pillars(q, corners) : verdict;
+}
+
+Verdict Validator::test_crossings(const ScanNormal& normal) const {
+    for (const TraceCrossing& crossing : crossings_) {
+        const Vec3& d_i = surface_.vertex(crossing.edge[0]).direction;
+        const Vec3& d_j = surface_.vertex(crossing.edge[1]).direction;
+        Sign sign = Sign::positive;
+        if (normal.seen_along(d_i) != Sign::positive || normal.seen_along(d_j) != Sign::positive) {
+            sign = normal_condition({d_i, d_j, d_j}, Vec3(1 - crossing.lambda, crossing.lambda, 0),
+                                    crossing.lambda_error, normal);
+        }
+        const Verdict verdict = verdict_of(sign, Verdict::normal_condition);
+        if (verdict != Verdict::accepted) {
+            return verdict;
+        }
+    }
+    return Verdict::accepted;
+}
+
+Verdict Validator::test_pillars(const ScanTriangle& q, const std::array<Corner, 3>& corners) {
+    for (const TraceCrossing& crossing : crossings_) {
+        odd_.toggle(crossing.edge[0], crossing.edge[1]);
+    }
+    for (int k = 0; k < 3; ++k) {
+        const FanOrder* order = corners[k].order;
+        if (order == nullptr) {
+            continue;
+        }
+        // Base edges strictly between the two scan edges of the face count as crossed once.
+        const int from = order->position(corners[(k + 1) % 3].scan_vertex);
+        const int forward = order->steps(from, order->position(corners[(k + 2) % 3].scan_vertex));
+        for (int step = 1; step < forward; ++step) {
+            if ((from + step) % 2 == 0) {
+                const std::size_t spoke = static_cast<std::size_t>((from + step) / 2) % order->fan().spokes.size();
+                odd_.toggle(order->vertex(), order->fan().spokes[spoke]);
+            }
+        }
+    }
+    return odd_.empty() ? Verdict::accepted : flood_.find(surface_, q, odd_, inside_);
+}
+
+Verdict Validator::record(std::int32_t scan_face, const std::array<Corner, 3>& corners) {
+    for (int k = 0; k < 3; ++k) {
+        touch(corners[k].cell, scan_face);
+        if (corners[k].order == nullptr) {
+            continue;
+        }
+        const FanOrder& order = *corners[k].order;
+        const int from = order.position(corners[(k + 1) % 3].scan_vertex);
+        const int forward = order.steps(from, order.position(corners[(k + 2) % 3].scan_vertex));
+        for (int step = 0; step <= forward; ++step) {
+            if ((from + step) % 2 != 0) {
+                const int cell =
+                    order.fan().cells[static_cast<std::size_t>((from + step) / 2) % order.fan().cells.size()];
+                if (surface_.cell(cell).impassable) {
+                    return Verdict::no_preimage;
+                }
+                touch(cell, scan_face);
+            }
+        }
+    }
+    for (const TraceCrossing& crossing : crossings_) {
+        for (const int cell : {crossing.from, crossing.to}) {
+            touch(cell, scan_face);
+            const Verdict verdict = reach(cell, crossing.t, crossing.t_error);
+            if (verdict != Verdict::accepted) {
+                return verdict;
+            }
+        }
+    }
+    for (const Pillar& pillar : inside_) {
+        surface_.fan(pillar.vertex, fan_);
+        for (const int cell : fan_.cells) {
+            touch(cell, scan_face);
+            const Verdict verdict = reach(cell, pillar.t, pillar.t_error);
+            if (verdict != Verdict::accepted) {
+                return verdict;
+            }
+        }
+    }
+    return Verdict::accepted;
+}
+
+Verdict Validator::close_ranges() {
+    for (int c = 0; c < surface_.new_cells(); ++c) {
+        Cell& cell = surface_.cell(c);
+        Trial::NewFace& face = trial_.faces[c];
+        // A scan face may have been met several times, with others in between.
+        std::sort(face.scan_faces.begin(), face.scan_faces.end());
+        face.scan_faces.erase(std::unique(face.scan_faces.begin(), face.scan_faces.end()), face.scan_faces.end());
+        const bool met = hulls_[c].lo <= hulls_[c].hi && !face.is_scan_face;
+        face.range = met ? Range{float_below(hulls_[c].lo), float_above(hulls_[c].hi)} : Range{0.0, 0.0};
+        cell.range = face.range;
+        if (face.is_scan_face) {
+            continue;
+        }
+        const Verdict verdict = verdict_of(jacobian_on(cell.triangle, face.range), Verdict::jacobian);
+        if (verdict != Verdict::accepted) {
+            return verdict;
+        }
+        if (options_.max_displacement) {
+            const double longest =
+                std::max({cell.triangle.d[0].norm(), cell.triangle.d[1].norm(), cell.triangle.d[2].norm()});
+            if (std::max(-face.range.lo, face.range.hi) * longest > *options_.max_displacement) {
+                return Verdict::max_displacement;
+            }
+        }
+    }
+    return Verdict::accepted;
+}
+
+Verdict Validator::test_alternatives() const {
+    for (const auto& [vertex, lift] : alternatives_) {
+        const Range range = surface_.cell(lift.cell).range;
+        if (lift.at.t + lift.at.t_error >= range.lo && lift.at.t - lift.at.t_error <= range.hi) {
+            return Verdict::several_preimages;
+        }
+    }
+    return Verdict::accepted;
+}
+
+Verdict Validator::test_faces_beside() {
+    // A scan vertex on a new face must not lie in the prismoid of a face beside the patch that shares a corner, nor the
+    // other way round. Few do: boxes sort out nearly all.
+    surface_.cells_beside(beside_);
+    for (const int outer : beside_) {
+        const CellPlaces there(surface_, outer);
+        for (std::size_t n = 0; n < lifts_.size(); ++n) {
+            const Vec3& q = scan_->positions[trial_.places[n].scan_vertex];
+            if (there.may_hold(q) && surface_.share_corner(outer, lifts_[n].cell)) {
+                const Verdict verdict = there.lacks(q, lifts_[n]);
+                if (verdict != Verdict::accepted) {
+                    return verdict;
+                }
+            }
+        }
+    }
+    for (int c = 0; c < surface_.new_cells(); ++c) {
+        if (trial_.faces[c].is_scan_face) {
+            continue;
+        }
+        const CellPlaces here(surface_, c);
+        for (const int outer : beside_) {
+            const Verdict verdict = surface_.share_corner(outer, c) ? test_vertices_of(outer, here) : Verdict::accepted;
+            if (verdict != Verdict::accepted) {
+                return verdict;
+            }
+        }
+    }
+    return Verdict::accepted;
+}
+
+Verdict Validator::test_vertices_of(int outer, const CellPlaces& here) {
+    const std::int32_t face = surface_.cell(outer).face;
+    for (const std::int32_t f : base_->face(face).scan_faces) {
+        for (const std::int32_t v : scan_->faces[f]) {
+            const Place& place = base_->place(v);
+            if (place.face != face || !here.may_hold(scan_->positions[v])) {
+                continue;
+            }
+            const std::optional<Enclosure> at =
+                enclose(surface_.cell(outer).triangle, scan_->positions[v], place.alpha, place.t);
+            const Verdict verdict =
+                at ? here.lacks(scan_->positions[v], {outer, *at, wall_of(*at)}) : Verdict::undecided;
+            if (verdict != Verdict::accepted) {
+                return verdict;
+            }
+        }
+    }
+    return Verdict::accepted;
+}
+
+} // namespace foldless

@@ -1,0 +1,141 @@
+/// \file
+/// The guard: may a patch take the place of the faces that go?
+#pragma once
+
+#include <foldless/decimate/edge_trace.h>
+#include <foldless/decimate/fan_order.h>
+#include <foldless/decimate/patched_surface.h>
+#include <foldless/decimate/pillars.h>
+#include <foldless/decimate/point_location.h>
+#include <foldless/decimate/scan_topology.h>
+#include <foldless/decimate/trace_cache.h>
+#include <foldless/decimate/verdict.h>
+#include <foldless/predicates/scan_normal.h>
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace foldless {
+
+class CellPlaces;
+
+struct ValidatorOptions {
+    Uniqueness uniqueness = Uniqueness::in_range;
+    bool constant_directions = false;       ///< each face is displaced along its own normal
+    std::optional<double> max_displacement; ///< bound on |t| |d| over whole faces, model units
+};
+
+/// What accepting a patch would mean, computed while it was judged.
+struct Trial {
+    struct NewFace {
+        Range range{0.0, 0.0};
+        std::vector<std::int32_t> scan_faces;
+        bool is_scan_face = false;
+    };
+    struct NewPlace {
+        std::int32_t scan_vertex;
+        int face; ///< index of the new face, or -1 for a kept vertex
+        Vec3 alpha;
+        double t;
+    };
+    std::vector<NewFace> faces;   ///< one per face of the patch that comes
+    std::vector<NewPlace> places; ///< every scan vertex on the patch that is not kept
+    std::size_t retested = 0;     ///< inversions asked
+};
+
+/// Judges patches against the current base mesh, of which it knows nothing but what a Patch and a BaseSurface say: not
+/// whether the change is a collapse, a flip or a relocation.
+///
+/// Accepted means: every scan vertex on the patch has exactly one place within the ranges of the new faces (V, unique
+/// mapping), N.n > 0 there for every scan face around it, every scan triangle keeps its orientation, every scan edge
+/// can be followed across the walls (E) with N.n > 0 at the crossings (X), the pillars inside scan triangles fit (P),
+/// the scan goes round once at kept vertices (K), and J > 0 on every new prismoid over its range (C0). All of it on the
+/// values as stored, decided within proven error bounds or refused. (Collins & Hilton 2002, section 5; Maggiordomo et
+/// al. 2023, section 5.2; docs/algorithm.md)
+class Validator {
+public:
+    Validator(const BaseSurface& base, const Scan& scan, const ScanTopology& topology, const ValidatorOptions& options);
+
+    /// Judges the patch without touching anything. Time linear in the scan faces on the patch, for a bounded number of
+    /// new faces.
+    [[nodiscard]] Verdict judge(const Patch& patch);
+
+    /// What the last accepted patch would mean.
+    [[nodiscard]] const Trial& trial() const { return trial_; }
+
+    /// The scan faces that the last call to gather() found on the faces that go.
+    [[nodiscard]] const std::vector<std::int32_t>& gather(const std::vector<std::int32_t>& removed);
+
+private:
+    /// A corner of the scan face under test.
+    struct Corner {
+        std::int32_t scan_vertex;
+        int cell;              ///< where it lies, -1 if it is kept
+        const FanOrder* order; ///< the fan of a kept vertex, else null
+        Vec3 alpha;
+        double t;
+        double alpha_error;
+        bool is_new; ///< its place is new
+    };
+
+    [[nodiscard]] Verdict locate_vertices();
+    [[nodiscard]] Verdict reach_kept_corners(const Patch& patch);
+    [[nodiscard]] Verdict order_fans(const Patch& patch);
+    [[nodiscard]] Verdict test_face(std::int32_t scan_face);
+    [[nodiscard]] Verdict test_constant(std::int32_t scan_face, const std::array<Corner, 3>& corners,
+                                        const ScanNormal& normal);
+    [[nodiscard]] Verdict test_orientation(int cell, const std::array<Corner, 3>& corners) const;
+    [[nodiscard]] Verdict record(std::int32_t scan_face, const std::array<Corner, 3>& corners);
+    [[nodiscard]] Verdict test_spanning(const ScanTriangle& q, const std::array<Corner, 3>& corners);
+    [[nodiscard]] Verdict trace(const Corner& a, const Corner& b);
+    [[nodiscard]] Verdict test_corners(const std::array<Corner, 3>& corners, const ScanNormal& normal) const;
+    [[nodiscard]] Verdict test_crossings(const ScanNormal& normal) const;
+    [[nodiscard]] Verdict test_pillars(const ScanTriangle& q, const std::array<Corner, 3>& corners);
+    [[nodiscard]] Verdict close_ranges();
+    [[nodiscard]] Verdict test_alternatives() const;
+    [[nodiscard]] Verdict test_faces_beside();
+    [[nodiscard]] Verdict test_vertices_of(int outer, const CellPlaces& here);
+    [[nodiscard]] bool corner(std::int32_t scan_vertex, Corner& out);
+    [[nodiscard]] const FanOrder* order_of(std::int32_t base_vertex);
+    [[nodiscard]] static std::int32_t kept_as(const Corner& corner);
+    [[nodiscard]] int common_cell(const std::array<Corner, 3>& corners) const;
+    [[nodiscard]] Verdict stays_in(int cell, const std::array<Corner, 3>& corners) const;
+    void touch(int cell, std::int32_t scan_face);
+    [[nodiscard]] Verdict reach(int cell, double t, double t_error);
+
+    const BaseSurface* base_;
+    const Scan* scan_;
+    const ScanTopology* topology_;
+    ValidatorOptions options_;
+
+    PatchedSurface surface_;
+    PointLocation location_;
+    PillarFlood flood_;
+    TraceCache traces_;
+    Trial trial_;
+    std::vector<Range> hulls_; ///< of the displacements met so far, per new face
+
+    // Scan elements on the patch; stamps tell which belong to the current trial.
+    std::uint32_t stamp_ = 0;
+    std::vector<std::uint32_t> face_stamp_;
+    std::vector<std::uint32_t> vertex_stamp_;
+    std::vector<std::int32_t> vertex_index_; ///< into lifts_
+    std::vector<std::int32_t> scan_faces_;
+    std::vector<std::int32_t> scan_vertices_;
+    std::vector<Lift> lifts_;
+    std::vector<std::pair<std::int32_t, Lift>> alternatives_;
+
+    std::vector<FanOrder> orders_;
+    std::size_t orders_used_ = 0;
+
+    // Scratch of the scan face under test.
+    std::vector<TraceCrossing> crossings_;
+    OddEdges odd_;
+    std::vector<Pillar> inside_;
+    Fan fan_;
+    std::vector<int> beside_;
+};
+
+} // namespace foldless

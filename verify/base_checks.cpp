@@ -1,0 +1,74 @@
+#include <foldless/verify/base_checks.h>
+
+#include <foldless/verify/winding.h>
+
+#include <foldless/predicates/jacobian.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace foldless::verification {
+namespace {
+
+Range common_range(const BaseFaces& base, const Fan& fan) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Range common{-infinity, infinity};
+    for (const std::int32_t face : fan.faces) {
+        const Range& range = base.face(face).range;
+        common = {std::max(common.lo, range.lo), std::min(common.hi, range.hi)};
+    }
+    return common;
+}
+
+/// The edges of the fan at displacement t.
+Star star_at(const BaseFaces& base, std::int32_t vertex, const Fan& fan, double t) {
+    const BaseMesh& mesh = base.mesh();
+    Star star{mesh.directions[vertex], {}, fan.closed};
+    for (const std::int32_t spoke : base.adjacency().spokes(vertex, fan)) {
+        star.edges.push_back((mesh.positions[spoke] - mesh.positions[vertex]) +
+                             t * (mesh.directions[spoke] - mesh.directions[vertex]));
+    }
+    return star;
+}
+
+void check_vertex(const BaseFaces& base, std::int32_t vertex, Findings& findings) {
+    const auto moves = [&](std::int32_t face) { return base.is_moving(face); };
+    for (const Fan& fan : base.adjacency().fans(vertex, moves)) {
+        const Range common = common_range(base, fan);
+        const bool is_asked = fan.closed || base.is_kept(vertex);
+        if (!is_asked || !(common.lo <= common.hi)) {
+            continue;
+        }
+        const Sign once = goes_round_once(star_at(base, vertex, fan, std::clamp(0.0, common.lo, common.hi)));
+        if (once != Sign::positive) {
+            findings.add({.violation = once == Sign::negative ? Violation::jacobian : Violation::undecided,
+                          .base_face = fan.faces.front(),
+                          .position = base.mesh().positions[vertex]});
+        }
+    }
+}
+
+} // namespace
+
+void check_jacobians(const BaseFaces& base, Stages& stages, double share, Findings& findings) {
+    stages.for_each(base.moving().size(), share, [&](std::size_t i) {
+        const std::int32_t f = base.moving()[i];
+        const MovingFace& face = base.face(f);
+        const Sign sign = jacobian_on(face.triangle, face.range);
+        if (sign != Sign::positive) {
+            findings.add({.violation = sign == Sign::undecided ? Violation::undecided : Violation::jacobian,
+                          .base_face = f,
+                          .position = face.triangle.v[0]});
+        }
+    });
+}
+
+void check_base_windings(const BaseFaces& base, Stages& stages, double share, Findings& findings) {
+    if (base.constant_directions()) {
+        return;
+    }
+    stages.for_each(base.mesh().positions.size(), share,
+                    [&](std::size_t vertex) { check_vertex(base, static_cast<std::int32_t>(vertex), findings); });
+}
+
+} // namespace foldless::verification

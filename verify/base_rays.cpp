@@ -1,0 +1,183 @@
+#include <foldless/verify/base_rays.h>
+
+#include <foldless/verify/box_tree.h>
+#include <foldless/verify/sampling.h>
+
+#include <foldless/predicates/rounding.h>
+#include <foldless/predicates/scan_normal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+namespace foldless::verification {
+namespace {
+
+/// A line through a base point along its direction.
+struct BaseRay {
+    Vec3 origin;
+    Vec3 direction;
+};
+
+struct Hit {
+    Sign facing; ///< positive: the ray leaves through the front
+    ScanPoint point;
+};
+
+/// Where the line meets the triangle, border included as far as rounding can tell: a line that passes between two
+/// triangles by rounding is counted for both, and for neither only if it passes outside.
+std::optional<Hit> hit(const BaseRay& ray, const ScanTriangle& q) {
+    const Sign facing = ScanNormal(q).seen_along(ray.direction);
+    if (facing != Sign::positive && facing != Sign::negative) {
+        return std::nullopt;
+    }
+    const std::array<Vec3, 3> x{q[0] - ray.origin, q[1] - ray.origin, q[2] - ray.origin};
+    std::array<double, 3> weight; // of the corner opposite each edge: twice the area of its projection along the ray
+    for (int k = 0; k < 3; ++k) {
+        const Vec3& a = x[(k + 1) % 3];
+        const Vec3& b = x[(k + 2) % 3];
+        const double value = ray.direction.dot(a.cross(b)) * (facing == Sign::positive ? 1 : -1);
+        const double error = 12 * unit_roundoff * 2 * sum_norm(ray.direction) * max_norm(a) * max_norm(b);
+        if (value < -error) {
+            return std::nullopt;
+        }
+        weight[k] = std::max(value, 0.0);
+    }
+    const double sum = weight[0] + weight[1] + weight[2];
+    return Hit{facing, point_of(q, weight[1] / sum, weight[2] / sum)};
+}
+
+Box box_of(const ScanTriangle& q) {
+    Box box;
+    std::for_each(q.begin(), q.end(), [&](const Vec3& corner) { box.extend(corner); });
+    return box;
+}
+
+/// The rays of one base face against the scan faces that meet it.
+class FaceRays {
+public:
+    using Meets = std::span<const std::pair<std::int32_t, std::int32_t>>;
+
+    FaceRays(const Correspondents& all, const ScanImage& image, std::int32_t face, Meets meets)
+        : all_(all), image_(image), face_(face), meets_(meets) {
+        std::vector<Box> boxes;
+        for (const auto& [base_face, scan_face] : meets) {
+            boxes.push_back(box_of(all.triangle(scan_face)));
+        }
+        tree_ = BoxTree(std::move(boxes));
+    }
+
+    /// What one ray meets.
+    struct Answer {
+        int sheets = 0;           ///< how many displacements
+        bool from_behind = false; ///< one of them at least
+        std::int32_t scan_face = -1;
+        Vec3 origin;
+    };
+    [[nodiscard]] Answer cast(const Vec3& alpha) const;
+
+private:
+    [[nodiscard]] Box reach(const BaseRay& ray) const;
+
+    const Correspondents& all_;
+    const ScanImage& image_;
+    std::int32_t face_;
+    Meets meets_;
+    BoxTree tree_;
+};
+
+/// The box of the ray within the range of the face, a rounding error larger.
+Box FaceRays::reach(const BaseRay& ray) const {
+    const Range& range = all_.base.face(face_).range;
+    Box box(ray.origin + range.lo * ray.direction);
+    box.extend(ray.origin + range.hi * ray.direction);
+    const double size =
+        max_norm(ray.origin) + std::max(std::abs(range.lo), std::abs(range.hi)) * max_norm(ray.direction);
+    const Vec3 margin = Vec3::Constant(16 * unit_roundoff * size);
+    return Box(box.min() - margin, box.max() + margin);
+}
+
+FaceRays::Answer FaceRays::cast(const Vec3& alpha) const {
+    const BaseTriangle& triangle = all_.base.face(face_).triangle;
+    const BaseRay ray{alpha[0] * triangle.v[0] + alpha[1] * triangle.v[1] + alpha[2] * triangle.v[2],
+                      alpha[0] * triangle.d[0] + alpha[1] * triangle.d[1] + alpha[2] * triangle.d[2]};
+    Answer answer{.origin = ray.origin};
+    Enclosure first{};
+    tree_.visit(reach(ray), [&](std::int32_t i) {
+        const std::int32_t scan_face = meets_[i].second;
+        const std::optional<Hit> at = hit(ray, all_.triangle(scan_face));
+        if (!at) {
+            return;
+        }
+        const Lifted lifted = lift(all_, scan_face, image_.home[scan_face], at->point);
+        if (!lifted.place || lifted.place->face != face_) {
+            return;
+        }
+        const Enclosure& here = lifted.place->at;
+        const bool same = answer.sheets > 0 && std::abs(here.t - first.t) <= here.t_error + first.t_error;
+        answer.sheets += same ? 0 : 1;
+        first = answer.sheets == 1 && !same ? here : first;
+        answer.from_behind = answer.from_behind || at->facing == Sign::negative;
+        answer.scan_face = std::max(answer.scan_face, scan_face);
+    });
+    return answer;
+}
+
+double area(const std::array<Vec3, 3>& corners) {
+    return 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+}
+
+/// The entries of one base face.
+FaceRays::Meets meets_of(const ScanImage& image, std::int32_t face) {
+    const auto by_face = [](const auto& entry, std::int32_t wanted) { return entry.first < wanted; };
+    const auto begin = std::lower_bound(image.meets.begin(), image.meets.end(), face, by_face);
+    const auto end = std::lower_bound(begin, image.meets.end(), face + 1, by_face);
+    return {begin, end};
+}
+
+int square_root_up(int n) {
+    int side = 1;
+    while (side * side < n) {
+        ++side;
+    }
+    return side;
+}
+
+} // namespace
+
+/// Casts the rays of a face and returns the share that meets nothing.
+double BaseRays::check_face(std::int32_t face, Findings& findings) const {
+    const FaceRays rays(all_, image_, face, meets_of(image_, face));
+    const int side = square_root_up(options_.rays_per_face);
+    int uncovered = 0;
+    for (int i = 0; i < side * side; ++i) {
+        const FaceRays::Answer answer = rays.cast(stratified_point(static_cast<std::uint64_t>(face), side, i));
+        uncovered += answer.sheets == 0 ? 1 : 0;
+        if (answer.sheets > 1 || answer.from_behind || (answer.sheets == 0 && options_.covers_all)) {
+            findings.add({.violation = Violation::base_ray,
+                          .scan_face = answer.scan_face,
+                          .base_face = face,
+                          .position = answer.origin});
+        }
+    }
+    return static_cast<double>(uncovered) / (side * side);
+}
+
+double BaseRays::check(Stages& stages, double share, Findings& findings) const {
+    const std::vector<std::int32_t>& moving = all_.base.moving();
+    std::vector<double> uncovered(moving.size(), 0.0);
+    stages.for_each(moving.size(), share, [&](std::size_t i) { uncovered[i] = check_face(moving[i], findings); });
+    double uncovered_area = 0.0;
+    double total_area = 0.0;
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+        uncovered_area += uncovered[i] * area(all_.base.face(moving[i]).triangle.v);
+    }
+    const BaseMesh& mesh = all_.base.mesh();
+    for (const Triangle& corners : mesh.faces) {
+        total_area += area({mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]]});
+    }
+    return uncovered_area / total_area;
+}
+
+} // namespace foldless::verification

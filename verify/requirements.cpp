@@ -1,0 +1,40 @@
+#include <foldless/verify/requirements.h>
+
+#include <foldless/io/defects.h>
+#include <foldless/io/errors.h>
+
+#include <algorithm>
+#include <string>
+
+namespace foldless::verification {
+namespace {
+
+void require(bool condition, const std::string& reason) {
+    if (!condition) {
+        throw RefusedMesh("base mesh: " + reason);
+    }
+}
+
+bool is_absent_or(std::size_t size, std::size_t wanted) {
+    return size == 0 || size == wanted;
+}
+
+bool all_finite(const std::vector<Vec3>& vectors) {
+    return std::all_of(vectors.begin(), vectors.end(), [](const Vec3& v) { return v.allFinite(); });
+}
+
+} // namespace
+
+void require_usable(const BaseMesh& base, const Scan& scan) {
+    require_no_defects(scan);
+    require_no_defects(Scan{base.positions, base.faces, base.float32});
+    const std::size_t vertices = base.positions.size();
+    const std::size_t faces = base.faces.size();
+    require(base.directions.size() == vertices || base.face_directions.size() == faces, "no displacement directions");
+    require(is_absent_or(base.face_directions.size(), faces), "the number of face directions is not that of the faces");
+    require(is_absent_or(base.ranges.size(), faces), "the number of ranges is not that of the faces");
+    require(is_absent_or(base.scan_vertex.size(), vertices), "the number of scan vertices is not that of the vertices");
+    require(all_finite(base.directions) && all_finite(base.face_directions), "a direction is not finite");
+}
+
+} // namespace foldless::verification

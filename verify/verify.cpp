@@ -1,0 +1,95 @@
+#include <foldless/verify/verify.h>
+
+#include <foldless/verify/base_checks.h>
+#include <foldless/verify/base_rays.h>
+#include <foldless/verify/face_checks.h>
+#include <foldless/verify/needed_ranges.h>
+#include <foldless/verify/requirements.h>
+#include <foldless/verify/scan_windings.h>
+#include <foldless/verify/topology_checks.h>
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace foldless {
+namespace {
+
+using namespace verification;
+
+/// The shares of all work, as measured on large scans; only the progress function reads them.
+constexpr double share_of_ranges = 0.1;
+constexpr double share_of_base = 0.05;
+constexpr double share_of_places = 0.2;
+constexpr double share_of_faces = 0.5;
+constexpr double share_of_rays = 0.15;
+
+std::size_t thread_count(const VerifyOptions& options) {
+    const int all_cores = tbb::info::default_concurrency();
+    return static_cast<std::size_t>(std::max(1, options.threads.value_or(all_cores)));
+}
+
+/// The displacements, summed in the order of the vertices.
+void summarise_displacements(const Correspondents& all, const Adjacency& scan_adjacency, VerifyResult& result) {
+    double sum_of_squares = 0.0;
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < all.scan.positions.size(); ++v) {
+        const bool is_used = !scan_adjacency.faces_around(static_cast<std::int32_t>(v)).empty();
+        const Place& place = all.association.places[v];
+        if (!is_used) {
+            continue;
+        }
+        const double length = place.exists() ? displacement(all.base, place) : 0.0; // 0 on a frozen face
+        result.min_displacement = count == 0 ? length : std::min(result.min_displacement, length);
+        result.max_displacement = count == 0 ? length : std::max(result.max_displacement, length);
+        sum_of_squares += length * length;
+        ++count;
+    }
+    result.rms_displacement = count == 0 ? 0.0 : std::sqrt(sum_of_squares / static_cast<double>(count));
+}
+
+} // namespace
+
+VerifyResult verify(const BaseMesh& base, const Scan& scan, const VerifyOptions& options) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count(options));
+    require_usable(base, scan);
+    VerifyResult result;
+    Findings findings;
+    Stages stages(options.progress);
+
+    check_topology(base, scan, findings);
+    const Adjacency base_adjacency(base.positions.size(), base.faces);
+    const Adjacency scan_adjacency(scan.positions.size(), scan.faces);
+    const KeptVertices kept = kept_vertices(base, scan, scan_adjacency, findings);
+    const Meshes meshes{base, scan, base_adjacency, scan_adjacency, kept};
+    BaseFaces faces(meshes);
+    const bool locked = border_is_locked(meshes);
+    check_seams(meshes, faces, locked, findings);
+
+    result.frozen_faces = faces.frozen_count();
+    result.ranges_computed = base.ranges.empty();
+    if (result.ranges_computed) {
+        set_needed_ranges(faces, meshes, stages, share_of_ranges);
+    }
+    check_jacobians(faces, stages, share_of_base, findings);
+    check_base_windings(faces, stages, 0.0, findings);
+
+    const Association association = Associator(faces, meshes).associate(stages, share_of_places, findings);
+    const Correspondents all{faces, scan, association};
+    check_scan_windings(all, scan_adjacency, stages, findings);
+    const ScanImage image =
+        FaceChecks(all, scan_adjacency, options.samples_per_face, findings).check(stages, share_of_faces);
+    const BaseRays rays(all, image, {options.rays_per_face, locked});
+    const double uncovered = rays.check(stages, share_of_rays, findings);
+
+    result.uncovered_fraction = locked ? 0.0 : uncovered;
+    result.cancelled = stages.cancelled();
+    findings.write(result);
+    result.ambiguous_vertices = association.ambiguous_vertices;
+    summarise_displacements(all, scan_adjacency, result);
+    return result;
+}
+
+} // namespace foldless

@@ -1,0 +1,77 @@
+/// \file
+/// Proves from the two meshes alone that a base mesh represents a scan. Knows nothing of how the base mesh came to be.
+#pragma once
+
+#include <foldless/io/base_mesh.h>
+#include <foldless/io/scan.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace foldless {
+
+enum class Violation {
+    topology,          ///< components, borders or Euler characteristic differ, or the base mesh is no manifold
+    kept_vertex,       ///< a vertex that says it is a scan vertex is not
+    border,            ///< a border edge of a locked border is not one of the other mesh
+    jacobian,          ///< J is not positive on a prismoid over the range of its face
+    no_preimage,       ///< a scan vertex has no place on the base mesh
+    several_preimages, ///< a scan vertex has two places on neighbouring faces
+    normal_condition,  ///< N.n > 0 fails at a scan vertex
+    orientation,       ///< the image of a scan triangle is turned over
+    trace,             ///< an edge of the scan cannot be followed across the base mesh
+    interior_sample,   ///< a point inside a scan triangle has no place, or N.n <= 0 there
+    base_ray,          ///< the ray from a base point does not meet the scan front-facing within the range
+    undecided,         ///< rounding hides the answer
+};
+
+inline constexpr std::size_t violation_count = static_cast<std::size_t>(Violation::undecided) + 1;
+
+/// The stable snake_case word of the report.
+[[nodiscard]] std::string_view name(Violation violation);
+
+/// A violation and where it is. An index that does not apply is -1.
+struct LocatedViolation {
+    Violation violation;
+    std::int32_t scan_vertex = -1;
+    std::int32_t scan_face = -1;
+    std::int32_t base_face = -1;
+    Vec3 position = Vec3::Zero();
+};
+
+struct VerifyOptions {
+    int samples_per_face = 3;             ///< interior samples of every scan face
+    int rays_per_face = 64;               ///< rays from every moving base face
+    std::optional<int> threads;           ///< no value: all cores
+    std::function<bool(double)> progress; ///< called with the share done, 0 to 1; false asks to stop
+};
+
+struct VerifyResult {
+    bool cancelled = false;
+    std::array<std::size_t, violation_count> violations{}; ///< counts, indexed by Violation
+    std::vector<LocatedViolation> located;                 ///< the first ones of each kind, a few, in a fixed order
+    std::size_t ambiguous_vertices = 0; ///< scan vertices that non-adjacent faces reach too within their ranges
+    std::size_t frozen_faces = 0;       ///< base faces that are scan faces with range [0, 0]
+    double uncovered_fraction = 0.0;    ///< share of the base area to which nothing of the scan maps, by the rays
+    bool ranges_computed = false;       ///< the base mesh had none
+    double min_displacement = 0.0;      ///< signed t |d| over the scan vertices, model units
+    double max_displacement = 0.0;
+    double rms_displacement = 0.0;
+
+    [[nodiscard]] std::size_t violation_total() const;
+    [[nodiscard]] bool certified() const { return !cancelled && violation_total() == 0; }
+};
+
+/// Re-derives everything from nothing: topology, the place of every scan vertex, every scan triangle and edge, interior
+/// samples, and rays from the base mesh back to the scan. The level it certifies is "vertices".
+///
+/// \throws RefusedMesh if either mesh has a defect (see io/defects.h) or the base mesh has no directions.
+/// Expected time O((F + f) log f) for F scan and f base faces.
+[[nodiscard]] VerifyResult verify(const BaseMesh& base, const Scan& scan, const VerifyOptions& options = {});
+
+} // namespace foldless
