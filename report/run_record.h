@@ -1,0 +1,83 @@
+/// \file
+/// What a run did: everything that its report and its summary tell.
+#pragma once
+
+#include <foldless/decimate/decimate.h>
+#include <foldless/io/defects.h>
+#include <foldless/io/read_mesh.h>
+#include <foldless/report/displacement.h>
+#include <foldless/report/phase_times.h>
+#include <foldless/report/preset.h>
+#include <foldless/verify/verify.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace foldless {
+
+/// A mesh that was read.
+struct InputRecord {
+    std::string path;
+    std::size_t vertices = 0;
+    std::size_t faces = 0;
+    Topology topology;
+};
+
+/// A base mesh.
+struct OutputRecord {
+    std::string path; ///< empty if it was not written
+    std::size_t vertices = 0;
+    std::size_t faces = 0;
+    std::size_t frozen_faces = 0;
+};
+
+/// What the run took.
+struct Usage {
+    PhaseTimes times;
+    std::size_t peak_memory_bytes = 0;
+    int threads = 1;
+};
+
+/// A run of `foldless simplify`.
+struct SimplifyRecord {
+    Preset preset = Preset::standard;
+    DecimateOptions options;
+    InputRecord input;
+    OutputRecord output;
+    StopReason stop_reason = StopReason::every_edge_refused;
+    DecimateStatistics statistics;
+    DisplacementStatistics displacement;
+    std::optional<VerifyResult> certificate; ///< no value: not verified
+    Usage usage;
+};
+
+/// A run of `foldless verify`.
+struct VerifyRecord {
+    InputRecord input;
+    OutputRecord output;
+    DisplacementStatistics displacement;
+    VerifyResult certificate;
+    Usage usage;
+};
+
+/// The answer of `foldless info`.
+struct InfoRecord {
+    enum class DirectionsFound { none, vertices, faces };
+
+    std::string path;
+    std::size_t vertices = 0;
+    std::size_t faces = 0;
+    bool float32 = true;
+    double diagonal = 0.0; ///< of the bounding box of the vertices that faces use, model units
+    Inspection inspection;
+    ReadNotes notes;
+    std::string refusal; ///< why `simplify` would refuse the mesh; empty if it would not
+    DirectionsFound directions = DirectionsFound::none;
+    bool has_ranges = false;
+};
+
+/// 1 - faces out / faces in; 0 without faces.
+[[nodiscard]] double decimation_rate(const InputRecord& input, const OutputRecord& output);
+
+} // namespace foldless

@@ -1,0 +1,58 @@
+/// \file
+/// What a command line asks for.
+#pragma once
+
+#include <foldless/decimate/decimate.h>
+#include <foldless/report/run_record.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace foldless {
+
+/// A length in model units or as a share of the diagonal of the scan's bounding box.
+struct Length {
+    double value;
+    bool relative; ///< value is a share of the diagonal, 0.01 for `1%`
+};
+
+/// `foldless simplify`
+struct SimplifyCommand {
+    std::filesystem::path scan;
+    std::filesystem::path base;
+    std::optional<std::filesystem::path> report;
+    std::optional<std::filesystem::path> correspondence;
+    Preset preset = Preset::standard;
+    DecimateOptions options; ///< without what depends on the scan, which follows
+    std::optional<double> ratio;
+    std::optional<Length> max_displacement;
+    bool verify = true;
+    bool quiet = false;
+};
+
+/// `foldless verify`
+struct VerifyCommand {
+    std::filesystem::path base;
+    std::filesystem::path scan;
+    std::optional<std::filesystem::path> report;
+    std::optional<int> threads;
+    bool quiet = false;
+};
+
+/// `foldless info`
+struct InfoCommand {
+    std::filesystem::path mesh;
+    bool json = false;
+};
+
+/// `--help` and `--version`
+struct PrintCommand {
+    std::string text;
+};
+
+using Command = std::variant<SimplifyCommand, VerifyCommand, InfoCommand, PrintCommand>;
+
+} // namespace foldless

@@ -1,0 +1,41 @@
+#include <foldless/tools/console.h>
+
+#include <unistd.h>
+
+#include <string>
+
+namespace foldless {
+
+namespace {
+
+/// In one call, so that lines of several programs do not mix. That a message is lost must not lose the result.
+void write_to_standard_error(std::string_view text) {
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+} // namespace
+
+void print_message(std::string_view text) {
+    write_to_standard_error("foldless: " + std::string(text) + '\n');
+}
+
+void Console::print(const std::vector<std::string>& lines) const {
+    if (quiet_) {
+        return;
+    }
+    for (const std::string& line : lines) {
+        write_to_standard_error(line + '\n');
+    }
+}
+
+void Console::note(std::string_view text) const {
+    if (!quiet_) {
+        print_message(text);
+    }
+}
+
+ProgressBar::Write Console::bar_output() const {
+    return quiet_ || ::isatty(STDERR_FILENO) == 0 ? ProgressBar::Write{} : write_to_standard_error;
+}
+
+} // namespace foldless

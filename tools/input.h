@@ -1,0 +1,25 @@
+/// \file
+/// The scan that a command works on.
+#pragma once
+
+#include <foldless/io/scan.h>
+#include <foldless/report/run_record.h>
+#include <foldless/tools/console.h>
+
+#include <filesystem>
+
+namespace foldless {
+
+struct Input {
+    Scan scan;
+    InputRecord record;
+};
+
+/// Reads a scan, says what was ignored of it, and inspects it.
+/// \throws UnreadableFile, RefusedMesh with each defect counted by name
+[[nodiscard]] Input read_input(const std::filesystem::path& path, const Console& console);
+
+/// The number of threads that a command uses: those asked for, or all cores.
+[[nodiscard]] int threads_to_use(std::optional<int> asked_for);
+
+} // namespace foldless
