@@ -50,7 +50,10 @@ Verdict make_collapse(BaseSurface& base, std::int32_t edge, std::span<const Mobi
     if (valence(out.gone) + valence(out.stays) - 1 >= edge_valence_limit) {
         return Verdict::valence;
     }
-    return base.connectivity().is_collapse_ok(out.halfedge) ? Verdict::accepted : Verdict::link_condition;
+    // A closed component of four faces would become two faces on the same corners, which OpenMesh does not see.
+    const bool tetrahedron = !border_gone && !border_stays && valence(out.gone) == 3 && valence(out.stays) == 3;
+    return !tetrahedron && base.connectivity().is_collapse_ok(out.halfedge) ? Verdict::accepted
+                                                                            : Verdict::link_condition;
 }
 
 void fill_faces(const BaseSurface& base, const Collapse& collapse, bool two_rings, Patch& patch) {

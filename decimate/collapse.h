@@ -44,7 +44,7 @@ void fill_faces(const BaseSurface& base, const Collapse& collapse, bool two_ring
 void rim_of(const BaseSurface& base, const Collapse& collapse, std::vector<std::int32_t>& out);
 
 /// Guards the new faces of the patch: `degenerate` without area, `flip` if one turns by more than a right angle against
-/// the face that it takes over.
+/// the face that it takes over. Every face must take over one.
 [[nodiscard]] Verdict guard_faces(const BaseSurface& base, const Patch& patch);
 
 } // namespace foldless

@@ -135,6 +135,9 @@ void PatchedSurface::cells_beside(std::vector<int>& out) {
     std::sort(rim.begin(), rim.end());
     rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
     for (const std::int32_t v : rim) {
+        if (v >= static_cast<std::int32_t>(base_->vertex_slots())) {
+            continue; // a vertex that the patch brings
+        }
         base_->faces_around(v, around_);
         for (const std::int32_t face : around_) {
             if (!removes(face) && !base_->face(face).is_scan_face) {

@@ -223,7 +223,7 @@ void Validator::touch(int cell, std::int32_t scan_face) {
         return;
     }
     std::vector<std::int32_t>& faces = trial_.faces[cell].scan_faces;
-    if (faces.empty() || faces.back() != scan_face) {
+    if (faces.empty() || faces.back() != scan_face) { // one scan face is tested at a time
         faces.push_back(scan_face);
     }
 }
@@ -385,8 +385,12 @@ Verdict Validator::test_constant(std::int32_t scan_face, const std::array<Corner
 }
 
 Verdict Validator::test_corners(const std::array<Corner, 3>& corners, const ScanNormal& normal) const {
+    int seen_by_all_of = -1;
     for (const Corner& corner : corners) {
         Sign sign = Sign::positive;
+        if (corner.is_new && corner.cell == seen_by_all_of) {
+            continue;
+        }
         if (corner.order != nullptr) {
             sign = normal.seen_along(surface_.vertex(corner.order->vertex()).direction);
         } else if (corner.is_new) {
@@ -395,6 +399,7 @@ Verdict Validator::test_corners(const std::array<Corner, 3>& corners, const Scan
                                      normal.seen_along(d[1]) == Sign::positive &&
                                      normal.seen_along(d[2]) == Sign::positive;
             sign = seen_by_all ? Sign::positive : normal_condition(d, corner.alpha, corner.alpha_error, normal);
+            seen_by_all_of = seen_by_all ? corner.cell : seen_by_all_of;
         }
         const Verdict verdict = verdict_of(sign, Verdict::normal_condition);
         if (verdict != Verdict::accepted) {
@@ -517,9 +522,6 @@ Verdict Validator::close_ranges() {
     for (int c = 0; c < surface_.new_cells(); ++c) {
         Cell& cell = surface_.cell(c);
         Trial::NewFace& face = trial_.faces[c];
-        // A scan face may have been met several times, with others in between.
-        std::sort(face.scan_faces.begin(), face.scan_faces.end());
-        face.scan_faces.erase(std::unique(face.scan_faces.begin(), face.scan_faces.end()), face.scan_faces.end());
         const bool met = hulls_[c].lo <= hulls_[c].hi && !face.is_scan_face;
         face.range = met ? Range{float_below(hulls_[c].lo), float_above(hulls_[c].hi)} : Range{0.0, 0.0};
         cell.range = face.range;

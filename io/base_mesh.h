@@ -14,7 +14,7 @@ namespace foldless {
 struct BaseMesh {
     std::vector<Vec3> positions;
     std::vector<Vec3> directions;          ///< one per vertex, any length; empty with constant face directions
-    std::vector<std::int32_t> scan_vertex; ///< the scan vertex that this vertex is, unmoved, or -1
+    std::vector<std::int32_t> scan_vertex; ///< the scan vertex that each is, unmoved, or -1; empty if not known
     std::vector<Triangle> faces;
     std::vector<Range> ranges;         ///< one per face, or empty when the file has none
     std::vector<Vec3> face_directions; ///< one per face with constant face directions, else empty

@@ -106,9 +106,6 @@ ReadBaseMesh read_base_mesh(const std::filesystem::path& path) {
     }
     require_finite_directions(path, mesh);
     require_ranges(path, mesh);
-    if (mesh.scan_vertex.empty()) {
-        mesh.scan_vertex.assign(mesh.positions.size(), -1);
-    }
     const bool float32 = all_float32(mesh.positions);
     return {{std::move(mesh.positions), std::move(mesh.normals), std::move(mesh.scan_vertex), std::move(mesh.faces),
              std::move(mesh.ranges), std::move(mesh.face_normals), float32},

@@ -32,7 +32,7 @@ std::string header(const BaseMesh& base, const std::vector<std::string>& comment
     std::string text = header_start(comments);
     text += fmt::format("element vertex {}\n", base.positions.size()) + position_properties(base.float32);
     text += base.directions.empty() ? "" : direction_properties;
-    text += "property int scan_vertex\n";
+    text += base.scan_vertex.empty() ? "" : "property int scan_vertex\n";
     text += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", base.faces.size());
     text += base.ranges.empty() ? "" : "property float t_min\nproperty float t_max\n";
     text += base.face_directions.empty() ? "" : direction_properties;
@@ -54,7 +54,9 @@ void append_vertex(std::string& bytes, const BaseMesh& base, std::size_t vertex)
     if (!base.directions.empty()) {
         append(bytes, base.directions[vertex], true);
     }
-    append_little_endian(bytes, base.scan_vertex.empty() ? std::int32_t{-1} : base.scan_vertex[vertex]);
+    if (!base.scan_vertex.empty()) {
+        append_little_endian(bytes, base.scan_vertex[vertex]);
+    }
 }
 
 void append_face(std::string& bytes, const BaseMesh& base, std::size_t face) {

@@ -76,7 +76,7 @@ std::optional<Ball> ball_around(const System& s, const Unknowns& x, const Linear
 
     // With R = 2 first: first + 3 defect R + second R^2 <= R/2 + R/4 + R/4.
     const bool contracts = 12 * defect <= 1 && 8 * second * first <= 1;
-    if (!contracts || !std::isfinite(first)) {
+    if (!contracts || !std::isfinite(first) || !at.residual.allFinite()) { // the maximum norm may overlook a NaN
         return std::nullopt;
     }
     const double radius = 2 * first;

@@ -131,10 +131,16 @@ void Simplification::note_usage() {
     record_.usage.peak_memory_bytes = peak_memory_bytes();
 }
 
-/// What is proven is what is on the disk: the base mesh is read back from the file that is about to get its name.
+/// What is proven is what is on the disk: the base mesh is read back from the file that is about to get its name. What
+/// OBJ has no room for, ranges and scan vertices, is taken from the result.
 VerifyResult Simplification::verify_staged(const AtomicFile& staged) const {
     try {
-        const BaseMesh base = read_base_mesh(staged.temporary_path()).base;
+        BaseMesh base = read_base_mesh(staged.temporary_path()).base;
+        if (file_type(command_.base) == FileType::obj) {
+            base.ranges = result_.base.ranges;
+            base.scan_vertex = result_.base.scan_vertex;
+            base.float32 = result_.base.float32;
+        }
         return verify_with_bar(base, input_.scan, record_.usage.threads, console_);
     } catch (const UnreadableFile& error) {
         throw UnwritableFile(

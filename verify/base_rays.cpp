@@ -10,6 +10,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace foldless::verification {
 namespace {
@@ -78,6 +79,15 @@ public:
     [[nodiscard]] Answer cast(const Vec3& alpha) const;
 
 private:
+    /// A displacement at which the ray meets the scan. Through an edge of the scan it meets the faces on both sides, at
+    /// displacements that rounding may tell apart; two faces with an edge in common that the ray leaves through the
+    /// front lie on two sides of it, so they are one sheet.
+    struct Sheet {
+        std::int32_t scan_face;
+        double t;
+        double t_error;
+    };
+    [[nodiscard]] bool share_edge(std::int32_t a, std::int32_t b) const;
     [[nodiscard]] Box reach(const BaseRay& ray) const;
 
     const Correspondents& all_;
@@ -98,12 +108,19 @@ Box FaceRays::reach(const BaseRay& ray) const {
     return Box(box.min() - margin, box.max() + margin);
 }
 
+bool FaceRays::share_edge(std::int32_t a, std::int32_t b) const {
+    const Triangle& face = all_.scan.faces[a];
+    const Triangle& other = all_.scan.faces[b];
+    return std::count_if(face.begin(), face.end(),
+                         [&](std::int32_t v) { return std::find(other.begin(), other.end(), v) != other.end(); }) >= 2;
+}
+
 FaceRays::Answer FaceRays::cast(const Vec3& alpha) const {
     const BaseTriangle& triangle = all_.base.face(face_).triangle;
     const BaseRay ray{alpha[0] * triangle.v[0] + alpha[1] * triangle.v[1] + alpha[2] * triangle.v[2],
                       alpha[0] * triangle.d[0] + alpha[1] * triangle.d[1] + alpha[2] * triangle.d[2]};
     Answer answer{.origin = ray.origin};
-    Enclosure first{};
+    std::vector<Sheet> sheets;
     tree_.visit(reach(ray), [&](std::int32_t i) {
         const std::int32_t scan_face = meets_[i].second;
         const std::optional<Hit> at = hit(ray, all_.triangle(scan_face));
@@ -115,12 +132,16 @@ FaceRays::Answer FaceRays::cast(const Vec3& alpha) const {
             return;
         }
         const Enclosure& here = lifted.place->at;
-        const bool same = answer.sheets > 0 && std::abs(here.t - first.t) <= here.t_error + first.t_error;
-        answer.sheets += same ? 0 : 1;
-        first = answer.sheets == 1 && !same ? here : first;
+        const auto is_here = [&](const Sheet& sheet) {
+            return std::abs(here.t - sheet.t) <= here.t_error + sheet.t_error || share_edge(scan_face, sheet.scan_face);
+        };
+        if (std::none_of(sheets.begin(), sheets.end(), is_here)) {
+            sheets.push_back({scan_face, here.t, here.t_error});
+        }
         answer.from_behind = answer.from_behind || at->facing == Sign::negative;
         answer.scan_face = std::max(answer.scan_face, scan_face);
     });
+    answer.sheets = static_cast<int>(sheets.size());
     return answer;
 }
 

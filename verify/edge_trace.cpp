@@ -61,6 +61,8 @@ private:
     [[nodiscard]] bool find_exit(const State& state, std::optional<Exit>& exit) const;
     [[nodiscard]] bool is_met(const MovingFace& face, const State& state, const Exit& candidate) const;
     [[nodiscard]] bool runs_along(const State& state, int wall) const;
+    [[nodiscard]] bool is_known_harmless(const State& state, int wall) const;
+    [[nodiscard]] bool meets_only_at_end(const State& state, int wall) const;
     [[nodiscard]] EdgePart rest_of_line(const State& state) const {
         return part_of_edge(line_.from, e_, {state.s, 1.0}, state.s_error);
     }
@@ -172,8 +174,7 @@ bool Tracer::find_exit(const State& state, std::optional<Exit>& exit) const {
         for (int c = 0; c < crossings.count; ++c) {
             const Exit candidate{k, crossings.values[c]};
             const bool proven = std::isfinite(candidate.at.error);
-            if (!proven && ((state.through & wall_bit(k)) != 0 ||
-                            stays_off_wall(face.triangle, k, rest_of_line(state), face.range))) {
+            if (!proven && is_known_harmless(state, k)) {
                 continue; // it leaves the wall on which it is, or never comes near
             }
             if (!proven) {
@@ -207,6 +208,33 @@ bool Tracer::is_met(const MovingFace& face, const State& state, const Exit& cand
 bool Tracer::runs_along(const State& state, int wall) const {
     const Foothold* end = end_in(state.face);
     return (state.through & wall_bit(wall)) != 0 && end != nullptr && (end->walls & wall_bit(wall)) != 0;
+}
+
+/// Whether a crossing of the wall that cannot be located is the place where the line starts or ends, or none at all.
+bool Tracer::is_known_harmless(const State& state, int wall) const {
+    const MovingFace& face = base_.face(state.face);
+    const Wall there(face.triangle, wall);
+    return (state.through & wall_bit(wall)) != 0 || meets_only_at_end(state, wall) ||
+           there.misses(line_.from, e_, face.range) ||
+           stays_off_wall(face.triangle, wall, rest_of_line(state), face.range);
+}
+
+/// A line that ends at a kept corner of the wall, at t = 0, and meets it nowhere else on its way there: the
+/// displacement is monotone on it.
+bool Tracer::meets_only_at_end(const State& state, int wall) const {
+    const MovingFace& face = base_.face(state.face);
+    const Foothold* end = end_in(state.face);
+    const Range way{std::min(state.t, 0.0) - state.t_error, std::max(state.t, 0.0) + state.t_error};
+    for (const int corner : {(wall + 1) % 3, (wall + 2) % 3}) {
+        const unsigned walls_there = wall_bit(wall) | wall_bit(3 - wall - corner);
+        const bool at_corner = end != nullptr && (end->walls & walls_there) == walls_there;
+        if (at_corner && base_.is_kept(face.corners[corner])) {
+            const Wall there(face.triangle, wall);
+            const int lambda = corner == (wall + 1) % 3 ? 0 : 1;
+            return there.met_only_at_corner(e_, lambda, way) || there.passes(e_, way) != Sign::undecided;
+        }
+    }
+    return false;
 }
 
 bool Tracer::ends_in(const State& state) {

@@ -1,0 +1,69 @@
+#include <foldless/bench/inversion_cases.h>
+
+#include <algorithm>
+#include <random>
+
+namespace foldless {
+namespace {
+
+class RandomCases {
+public:
+    double number(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(generator_); }
+
+    Vec3 vector(double size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
+
+    /// Uniform in the triangle.
+    Vec3 barycentric() {
+        const auto [lesser, greater] = std::minmax({number(0, 1), number(0, 1)});
+        return {lesser, greater - lesser, 1 - greater};
+    }
+
+    double displacement() { return number(bench_range.lo, bench_range.hi); }
+
+    /// A triangle with directions within some 20 degrees of its normal.
+    BaseTriangle triangle() {
+        BaseTriangle triangle{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {}};
+        for (int k = 0; k < 3; ++k) {
+            triangle.v[k] += vector(0.2);
+            triangle.d[k] = Vec3(0, 0, 1) + vector(0.3);
+        }
+        return triangle;
+    }
+
+private:
+    std::mt19937_64 generator_{2002};
+};
+
+Vec3 displaced(const BaseTriangle& triangle, const Vec3& alpha, double t) {
+    return alpha[0] * triangle.corner(0, t) + alpha[1] * triangle.corner(1, t) + alpha[2] * triangle.corner(2, t);
+}
+
+} // namespace
+
+std::vector<InversionCase> inversion_cases() {
+    RandomCases random;
+    std::vector<InversionCase> cases(case_count);
+    for (InversionCase& made : cases) {
+        made.triangle = random.triangle();
+        made.alpha = random.barycentric();
+        made.t = random.displacement();
+        made.q = displaced(made.triangle, made.alpha, made.t);
+    }
+    return cases;
+}
+
+std::vector<WallCase> wall_cases() {
+    RandomCases random;
+    std::vector<WallCase> cases(case_count);
+    for (WallCase& made : cases) {
+        made.triangle = random.triangle();
+        const Vec3 inner = random.barycentric();
+        // Mirrored at the edge from corner 1 to corner 2: the edge of the scan meets that wall near its middle.
+        const Vec3 outer(-inner[0], inner[1] + inner[0], inner[2] + inner[0]);
+        made.a = displaced(made.triangle, inner, random.displacement());
+        made.e = displaced(made.triangle, outer, random.displacement()) - made.a;
+    }
+    return cases;
+}
+
+} // namespace foldless

@@ -1,0 +1,172 @@
+#include "made_scans.h"
+#include "validator_world.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace foldless {
+namespace {
+
+using test::pyramid;
+using test::World;
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
+
+constexpr int any_valence = 1000;
+
+/// make_collapse() of the edge between two vertices, the listed vertices being fixed.
+struct Asked {
+    Verdict verdict;
+    Collapse collapse;
+};
+
+Asked ask(World& world, std::int32_t a, std::int32_t b, const std::vector<std::int32_t>& fixed = {},
+          int valence_limit = any_valence) {
+    std::vector<Mobility> mobility(world.scan().positions.size(), Mobility::free);
+    for (const std::int32_t v : fixed) {
+        mobility[v] = Mobility::fixed;
+    }
+    Asked asked{};
+    asked.verdict = make_collapse(world.base(), world.edge(a, b), mobility, valence_limit, asked.collapse);
+    return asked;
+}
+
+/// Two tetrahedra on both sides of the triangle 0, 1, 2.
+Scan triangular_bipyramid() {
+    return {{{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+            {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}}};
+}
+
+// Vertices 0, 1, 2 make a triangle that is no face: an edge of it cannot go without pinching the surface.
+TEST(MakeCollapse, RefusesAnEdgeOfATriangleThatIsNoFace) {
+    World world(triangular_bipyramid());
+    EXPECT_EQ(ask(world, 0, 1).verdict, Verdict::link_condition);
+    EXPECT_EQ(ask(world, 0, 3).verdict, Verdict::accepted); // its vertex of valence 3 may go
+}
+
+TEST(MakeCollapse, AcceptsTheEdgesOfAnOctahedron) {
+    World world(test::bumpy_sphere(0));
+    EXPECT_EQ(ask(world, 0, 2).verdict, Verdict::accepted);
+}
+
+TEST(MakeCollapse, RefusesAnInnerEdgeBetweenBorderVertices) {
+    Scan scan = pyramid({0, 0, 0});
+    scan.faces = {{0, 1, 2}, {0, 2, 3}};
+    scan.positions.pop_back();
+    World world(scan);
+    EXPECT_EQ(ask(world, 0, 2).verdict, Verdict::boundary);
+}
+
+TEST(MakeCollapse, RefusesAnEdgeOfALockedBorder) {
+    World world(pyramid({0.4, 0.7, 0.3}));
+    EXPECT_EQ(ask(world, 0, 1, {0, 1, 2, 3}).verdict, Verdict::boundary);
+    EXPECT_EQ(ask(world, 0, 4, {0, 1, 2, 3}).verdict, Verdict::accepted);
+}
+
+TEST(MakeCollapse, RefusesAnEdgeBetweenFixedInnerVertices) {
+    World world(test::bumpy_sphere(1));
+    const Triangle& face = world.scan().faces[0];
+    EXPECT_EQ(ask(world, face[0], face[1], {face[0], face[1]}).verdict, Verdict::frozen);
+    EXPECT_EQ(ask(world, face[0], face[1], {face[0], face[2]}).verdict, Verdict::accepted);
+}
+
+TEST(MakeCollapse, RefusesAtTheValenceLimitAndAcceptsBelow) {
+    World world(test::bumpy_sphere(0)); // every vertex has valence 4
+    EXPECT_EQ(ask(world, 0, 2, {}, 7).verdict, Verdict::valence);
+    EXPECT_EQ(ask(world, 0, 2, {}, 8).verdict, Verdict::accepted);
+}
+
+TEST(MakeCollapse, LetsTheFixedEndStay) {
+    World world(test::bumpy_sphere(0));
+    for (const std::int32_t fixed : {0, 2}) {
+        const Asked asked = ask(world, 0, 2, {fixed});
+        EXPECT_EQ(asked.verdict, Verdict::accepted);
+        EXPECT_EQ(asked.collapse.stays, fixed);
+        EXPECT_EQ(asked.collapse.gone, 2 - fixed);
+    }
+}
+
+TEST(MakeCollapse, LetsTheBorderVertexStay) {
+    World world(pyramid({0.4, 0.7, 0.3}));
+    for (const std::int32_t corner : {0, 1, 2, 3}) {
+        EXPECT_EQ(ask(world, corner, 4).collapse.stays, corner);
+    }
+}
+
+TEST(MakeCollapse, NamesTheEndsOfItsHalfedge) {
+    World world(test::bumpy_sphere(0));
+    const Collapse collapse = ask(world, 0, 2).collapse;
+    const Collapse back = reversed(world.base(), collapse);
+    EXPECT_EQ(back.gone, collapse.stays);
+    EXPECT_EQ(back.stays, collapse.gone);
+    EXPECT_EQ(world.base().connectivity().from_vertex_handle(back.halfedge).idx(), back.gone);
+    EXPECT_EQ(reversed(world.base(), back).halfedge, collapse.halfedge);
+}
+
+TEST(FillFaces, TakesTheStarsAndDropsTheTwoFacesOfTheEdge) {
+    World world(pyramid({0.4, 0.7, 0.3}));
+    Patch patch;
+    fill_faces(world.base(), world.collapse(4, 0), false, patch);
+    EXPECT_THAT(patch.removed, ElementsAre(0, 1, 2, 3));
+    ASSERT_EQ(patch.added.size(), 2);
+    EXPECT_THAT((std::vector{patch.added[0].slot, patch.added[1].slot}), ElementsAre(1, 2));
+    EXPECT_THAT(patch.added[0].corners, UnorderedElementsAre(0, 1, 2));
+    EXPECT_THAT(patch.added[1].corners, UnorderedElementsAre(0, 2, 3));
+}
+
+TEST(FillFaces, TakesTheRingOfTheRimToo) {
+    World world(test::terrain(6, 0.0));
+    const Collapse inner = world.collapse(24, 25); // near the middle of 7 * 7 vertices
+    Patch stars;
+    Patch rings;
+    fill_faces(world.base(), inner, false, stars);
+    fill_faces(world.base(), inner, true, rings);
+    EXPECT_EQ(stars.removed.size(), 10);
+    EXPECT_EQ(stars.added.size(), 8);
+    EXPECT_EQ(rings.removed.size() - rings.added.size(), 2);
+    EXPECT_GT(rings.removed.size(), stars.removed.size());
+    std::vector<std::int32_t> rim;
+    rim_of(world.base(), inner, rim);
+    EXPECT_EQ(rim.size(), 8);
+    for (const std::int32_t v : rim) {
+        std::vector<std::int32_t> around;
+        world.base().faces_around(v, around);
+        for (const std::int32_t f : around) {
+            EXPECT_TRUE(std::binary_search(rings.removed.begin(), rings.removed.end(), f));
+        }
+    }
+}
+
+/// The verdict on the collapse of 4 into 0 of a flat pyramid when vertex 0 moves to the given place.
+Verdict guarded(const Vec3& place) {
+    World world(pyramid({0.5, 0.5, 0}));
+    Patch patch = world.collapse_patch(4, 0);
+    patch.changed.push_back(test::moved(0, place));
+    return guard_faces(world.base(), patch);
+}
+
+TEST(GuardFaces, RefusesAFaceWithoutArea) {
+    EXPECT_EQ(guarded({1, 0.25, 0}), Verdict::degenerate); // on the edge 1-2
+    EXPECT_EQ(guarded({0.875, 0.25, 0}), Verdict::accepted);
+}
+
+TEST(GuardFaces, RefusesACoordinateThatIsNotFinite) {
+    EXPECT_EQ(guarded({std::numeric_limits<double>::quiet_NaN(), 0, 0}), Verdict::degenerate);
+    EXPECT_EQ(guarded({0, -std::numeric_limits<double>::infinity(), 0}), Verdict::degenerate);
+}
+
+TEST(GuardFaces, RefusesAFaceThatTurnsOver) {
+    EXPECT_EQ(guarded({1.125, 0.5, 0}), Verdict::flip); // beyond the edge 1-2
+    EXPECT_EQ(guarded({0.875, 0.5, 0}), Verdict::accepted);
+}
+
+TEST(GuardFaces, RefusesAFaceThatTurnsByARightAngle) {
+    EXPECT_EQ(guarded({1, 0.5, 1}), Verdict::flip); // the face with 1-2 stands upright
+    EXPECT_EQ(guarded({0.875, 0.5, 1}), Verdict::accepted);
+}
+
+} // namespace
+} // namespace foldless

@@ -1,0 +1,127 @@
+#include "made_scans.h"
+#include "validator_world.h"
+
+#include <foldless/decimate/edge_trace.h>
+
+namespace foldless {
+namespace {
+
+using test::moved;
+using test::World;
+
+// Two unit squares beside each other, each of two faces; walls of interest: 1-4 in the middle, and the diagonals.
+//
+//     5 ------ 4 ------ 3
+//     |      / |      / |
+//     |  1 /   |  3 /   |      faces by index
+//     |  / 0   |  / 2   |
+//     0 ------ 1 ------ 2
+class TwoSquares : public testing::Test {
+protected:
+    TwoSquares() {
+        patch_ = world_.replacing_all({{0, 1, 4}, {0, 4, 5}, {1, 2, 3}, {1, 3, 4}});
+        for (std::int32_t v = 0; v < 6; ++v) { // moving faces, not the scan's
+            patch_.changed.push_back(moved(v, world_.scan().positions[v]));
+        }
+    }
+
+    void SetUp() override {
+        surface_.reset(patch_, false);
+        for (int c = 0; c < 4; ++c) {
+            surface_.cell(c).range = {-1, 1};
+        }
+    }
+
+    Verdict trace(const Vec3& a, int cell_a, const Vec3& b, int cell_b) {
+        crossings_.clear();
+        return trace_edge(surface_, {a, cell_a, a.z(), -1}, {b, cell_b, b.z(), -1}, crossings_);
+    }
+
+    World world_{Scan{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}},
+                      {{0, 1, 4}, {0, 4, 5}, {1, 2, 3}, {1, 3, 4}}}};
+    Patch patch_;
+    PatchedSurface surface_{world_.base()};
+    std::vector<TraceCrossing> crossings_;
+};
+
+TEST_F(TwoSquares, AnEdgeWithinOneCellCrossesNothing) {
+    EXPECT_EQ(trace({0.25, 0.125, 0.1}, 0, {0.875, 0.5, 0.4}, 0), Verdict::accepted);
+    EXPECT_TRUE(crossings_.empty());
+}
+
+TEST_F(TwoSquares, AnEdgeGoesStraightThroughTwoWalls) {
+    // From above the left diagonal to below the right one: across the left diagonal, the middle and the right diagonal.
+    ASSERT_EQ(trace({0.25, 0.75, 0.0}, 1, {1.75, 0.25, 0.6}, 2), Verdict::accepted);
+    ASSERT_EQ(crossings_.size(), 3);
+    EXPECT_EQ(crossings_[0].from, 1);
+    EXPECT_EQ(crossings_[0].to, 0);
+    EXPECT_EQ(crossings_[1].from, 0);
+    EXPECT_EQ(crossings_[1].to, 3);
+    EXPECT_EQ(crossings_[2].from, 3);
+    EXPECT_EQ(crossings_[2].to, 2);
+    EXPECT_NEAR(crossings_[1].t, 0.3, 1e-14);
+    EXPECT_NEAR(crossings_[1].lambda, 0.5, 1e-14);
+    // y = 0.75 - (x - 0.25) / 3 meets y = x at 0.625 and y = x - 1 at 1.375.
+    EXPECT_NEAR(crossings_[0].t, 0.6 * 0.375 / 1.5, 1e-14);
+    EXPECT_NEAR(crossings_[2].t, 0.6 * 1.125 / 1.5, 1e-14);
+    for (const TraceCrossing& crossing : crossings_) {
+        EXPECT_LT(crossing.lambda_error, 1e-12);
+        EXPECT_LT(crossing.t_error, 1e-12);
+    }
+}
+
+TEST_F(TwoSquares, TheWayBackCrossesTheSameWalls) {
+    ASSERT_EQ(trace({1.75, 0.25, 0.6}, 2, {0.25, 0.75, 0.0}, 1), Verdict::accepted);
+    ASSERT_EQ(crossings_.size(), 3);
+    EXPECT_EQ(crossings_[0].from, 2);
+    EXPECT_EQ(crossings_[2].to, 1);
+}
+
+// Without the face (1, 3, 4) the straight way from the left square to the right one leads over the border.
+TEST_F(TwoSquares, AnEdgeCannotLeaveThroughTheBorder) {
+    ASSERT_EQ(trace({0.75, 0.375, 0.1}, 0, {1.5, 0.25, 0.1}, 2), Verdict::accepted);
+    patch_.added.pop_back();
+    surface_.reset(patch_, false);
+    for (int c = 0; c < 3; ++c) {
+        surface_.cell(c).range = {-1, 1};
+    }
+    EXPECT_EQ(trace({0.75, 0.375, 0.1}, 0, {1.5, 0.25, 0.1}, 2), Verdict::no_preimage);
+}
+
+TEST_F(TwoSquares, AnEdgeCannotEnterAFaceThatRepresentsItself) {
+    surface_.cell(3).impassable = true;
+    EXPECT_EQ(trace({0.75, 0.5, 0.1}, 0, {1.25, 0.5, 0.1}, 3), Verdict::no_preimage);
+    surface_.cell(3).impassable = false;
+    EXPECT_EQ(trace({0.75, 0.5, 0.1}, 0, {1.25, 0.5, 0.1}, 3), Verdict::accepted);
+}
+
+TEST_F(TwoSquares, AnEdgeThatEndsInAnotherCellThanItLeadsToIsRefused) {
+    EXPECT_NE(trace({0.75, 0.5, 0.1}, 0, {1.25, 0.5, 0.1}, 2), Verdict::accepted);
+    EXPECT_NE(trace({0.75, 0.5, 0.1}, 0, {0.875, 0.5, 0.1}, 3), Verdict::accepted);
+}
+
+TEST_F(TwoSquares, AnEdgeThroughAPillarIsUndecided) {
+    // Through the middle of 1-4 both ways is fine; through 4 or 1 itself it is a tie.
+    EXPECT_NE(trace({0.5, 0.75, 0.1}, 1, {1.5, 1.25, 0.1}, 3), Verdict::accepted);
+    EXPECT_EQ(trace({0.75, 0.25, 0.1}, 0, {1.25, -0.25, 0.1}, 2), Verdict::undecided);
+}
+
+// The walls of tilted directions: the edge stays straight above the squares, the wall in the middle leans over it.
+TEST_F(TwoSquares, AnEdgeCrossesALeaningWallWhereItIs) {
+    for (const std::size_t v : {1U, 4U}) {
+        patch_.changed[v].value.direction = {0.5, 0, 1};
+    }
+    surface_.reset(patch_, false);
+    for (int c = 0; c < 4; ++c) {
+        surface_.cell(c).range = {-1, 1};
+    }
+    // At t = 0.5 the wall stands at x = 1.25.
+    ASSERT_EQ(trace({0.875, 0.5, 0.5}, 0, {1.375, 0.5, 0.5}, 3), Verdict::accepted);
+    ASSERT_EQ(crossings_.size(), 1);
+    EXPECT_NEAR(crossings_[0].t, 0.5, 1e-14);
+    ASSERT_EQ(trace({0.875, 0.5, 0.5}, 0, {1.125, 0.5, 0.5}, 0), Verdict::accepted);
+    EXPECT_TRUE(crossings_.empty());
+}
+
+} // namespace
+} // namespace foldless

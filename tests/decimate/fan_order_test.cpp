@@ -1,0 +1,138 @@
+#include "made_scans.h"
+#include "validator_world.h"
+
+#include <foldless/decimate/fan_order.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace foldless {
+namespace {
+
+using test::moved;
+using test::pyramid;
+using test::World;
+
+/// The fan of a kept vertex with a patch in place.
+struct Sorted {
+    Verdict verdict;
+    FanOrder order;
+};
+
+Sorted sort(World& world, const Patch& patch, std::int32_t v) {
+    PatchedSurface surface(world.base());
+    surface.reset(patch, false);
+    Sorted sorted{};
+    sorted.verdict = sorted.order.reset(v, surface, world.scan(), world.topology());
+    return sorted;
+}
+
+Sorted sort_flattened(const Vec3& top, std::int32_t v) {
+    World world(pyramid(top));
+    Patch patch = world.replacing_all({{0, 1, 2}, {0, 2, 3}});
+    patch.changed.push_back(moved(4, top));
+    return sort(world, patch, v);
+}
+
+TEST(FanOrder, CountsHalfStepsFromBaseEdgeToBaseEdge) {
+    const auto [verdict, order] = sort_flattened({0.4, 0.7, 0.3}, 0);
+    ASSERT_EQ(verdict, Verdict::accepted);
+    EXPECT_EQ(order.vertex(), 0);
+    EXPECT_EQ(order.position(1), 0);
+    EXPECT_EQ(order.position(4), 3); // within the second face, to the left of the diagonal
+    EXPECT_EQ(order.position(3), 4);
+    EXPECT_TRUE(order.is_base_edge(3));
+    EXPECT_FALSE(order.is_base_edge(4));
+    EXPECT_EQ(order.start_cell(4), 1);
+    EXPECT_EQ(order.steps(0, 3), 3);
+    EXPECT_EQ(order.steps(3, 0), -3); // the fan of a border vertex is open
+}
+
+TEST(FanOrder, PutsTheEdgeOnTheOtherSideOfTheDiagonal) {
+    const auto [verdict, order] = sort_flattened({0.7, 0.4, 0.3}, 0);
+    ASSERT_EQ(verdict, Verdict::accepted);
+    EXPECT_EQ(order.position(4), 1);
+    EXPECT_EQ(order.start_cell(4), 0);
+}
+
+TEST(FanOrder, RefusesAnEdgeOnABaseEdgeThatItIsNot) {
+    EXPECT_EQ(sort_flattened({0.5, 0.5, 0.3}, 0).verdict, Verdict::undecided);
+    EXPECT_EQ(sort_flattened({0.5, 0.5 + 0x1p-20, 0.3}, 0).verdict, Verdict::accepted);
+}
+
+TEST(FanOrder, RefusesAnEdgeOutsideTheFan) {
+    EXPECT_EQ(sort_flattened({0.4, -0.1, 0.3}, 0).verdict, Verdict::no_preimage);
+    EXPECT_EQ(sort_flattened({-0.1, 0.4, 0.3}, 0).verdict, Verdict::no_preimage);
+    EXPECT_EQ(sort_flattened({0.1, 0.4, 0.3}, 0).verdict, Verdict::accepted);
+}
+
+// The top lies over a face that represents itself.
+TEST(FanOrder, RefusesAnEdgeIntoAFaceThatRepresentsItself) {
+    for (const auto& [x, verdict] : {std::pair{0.25, Verdict::no_preimage}, std::pair{0.75, Verdict::accepted}}) {
+        Scan scan = pyramid({0.75, 0.25, 0.3}); // faces (0, 1, 4), (1, 2, 4), (2, 0, 4), (0, 2, 3)
+        scan.faces = {{0, 1, 4}, {1, 2, 4}, {2, 0, 4}, {0, 2, 3}};
+        scan.positions[4] = {x, 1 - x, 0.3};
+        World world(scan);
+        Patch patch;
+        patch.removed = {0, 1, 2};
+        patch.added = {{{0, 1, 2}, -1}};
+        patch.changed = {moved(4, scan.positions[4])};
+        EXPECT_EQ(sort(world, patch, 0).verdict, verdict) << x;
+    }
+}
+
+/// A closed scan around the z axis: poles 0 and 1, and `count` vertices that go `turns` times round between them.
+Scan spindle(int count, int turns) {
+    Scan scan{{{0, 0, 1}, {0, 0, -1}}, {}, false};
+    for (int n = 0; n < count; ++n) {
+        const double angle = 2 * std::numbers::pi * turns * n / count;
+        scan.positions.emplace_back(std::cos(angle), std::sin(angle), 0.01 * n);
+    }
+    for (int n = 0; n < count; ++n) {
+        const std::int32_t a = 2 + n;
+        const std::int32_t b = 2 + (n + 1) % count;
+        scan.faces.push_back({a, b, 0});
+        scan.faces.push_back({b, a, 1});
+    }
+    return scan;
+}
+
+/// The patch that puts a bipyramid with as many corners in the place of a spindle, its poles kept, turned a little.
+Patch bipyramid(const World& world, int corners) {
+    const auto first = static_cast<std::int32_t>(world.scan().positions.size()); // the index of a new vertex
+    std::vector<Triangle> faces;
+    for (int n = 0; n < corners; ++n) {
+        faces.push_back({first + n, first + (n + 1) % corners, 0});
+        faces.push_back({first + (n + 1) % corners, first + n, 1});
+    }
+    Patch patch = world.replacing_all(faces);
+    for (int n = 0; n < corners; ++n) {
+        const double angle = 2 * std::numbers::pi * n / corners + 0.2;
+        const Vec3 outwards(std::cos(angle), std::sin(angle), 0);
+        patch.changed.push_back(moved(first + n, outwards, outwards));
+    }
+    return patch;
+}
+
+TEST(FanOrder, AcceptsAStarThatGoesRoundOnce) {
+    World world(spindle(5, 1));
+    world.base().vertex(1).direction = -Vec3::UnitZ();
+    for (const std::int32_t pole : {0, 1}) {
+        const auto [verdict, order] = sort(world, bipyramid(world, 4), pole);
+        EXPECT_EQ(verdict, Verdict::accepted);
+        EXPECT_TRUE(order.fan().closed);
+        EXPECT_EQ(order.steps(order.position(3), order.position(2)) + order.steps(order.position(2), order.position(3)),
+                  8);
+    }
+}
+
+TEST(FanOrder, RefusesAStarThatGoesRoundTwice) {
+    World world(spindle(7, 2));
+    world.base().vertex(1).direction = -Vec3::UnitZ();
+    for (const std::int32_t pole : {0, 1}) {
+        EXPECT_EQ(sort(world, bipyramid(world, 4), pole).verdict, Verdict::orientation);
+    }
+}
+
+} // namespace
+} // namespace foldless

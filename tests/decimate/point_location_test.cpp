@@ -1,0 +1,102 @@
+#include "made_scans.h"
+#include "validator_world.h"
+
+#include <foldless/decimate/point_location.h>
+
+#include <utility>
+
+namespace foldless {
+namespace {
+
+using test::moved;
+using test::pyramid;
+using test::World;
+
+// The unit square of two faces, its directions up; none of its corners is kept.
+//
+//     3 ----- 2
+//     |  1 /  |
+//     |  /  0 |
+//     0 ----- 1
+class OnASquare : public testing::Test {
+protected:
+    OnASquare() {
+        patch_ = world_.replacing_all({{0, 1, 2}, {0, 2, 3}});
+        for (std::int32_t v = 0; v < 5; ++v) {
+            patch_.changed.push_back(moved(v, world_.scan().positions[v]));
+        }
+    }
+
+    Verdict locate(const Vec3& q, Uniqueness uniqueness = Uniqueness::in_range) {
+        surface_.reset(patch_, false);
+        const Verdict ready = location_.reset(surface_, uniqueness);
+        return ready == Verdict::accepted ? location_.locate(q, lift_) : ready;
+    }
+
+    World world_{pyramid({0.5, 0.25, 0})};
+    Patch patch_;
+    PatchedSurface surface_{world_.base()};
+    PointLocation location_;
+    Lift lift_{};
+};
+
+TEST_F(OnASquare, APointLiesInOneFace) {
+    ASSERT_EQ(locate({0.75, 0.25, 0.5}), Verdict::accepted);
+    EXPECT_EQ(lift_.cell, 0);
+    EXPECT_EQ(lift_.wall, -1);
+    EXPECT_NEAR(lift_.at.t, 0.5, 1e-15);
+    EXPECT_NEAR((lift_.at.alpha - Vec3(0.25, 0.5, 0.25)).norm(), 0, 1e-15);
+    ASSERT_EQ(locate({0.25, 0.75, -0.5}), Verdict::accepted);
+    EXPECT_EQ(lift_.cell, 1);
+    EXPECT_TRUE(location_.alternatives().empty());
+}
+
+TEST_F(OnASquare, APointOnTheWallBetweenFacesBelongsToTheFirst) {
+    for (const auto& corners : {Triangle{0, 1, 2}, Triangle{2, 3, 0}}) {
+        ASSERT_EQ(locate({0.375, 0.375, 0.5}), Verdict::accepted);
+        EXPECT_EQ(lift_.cell, 0);
+        EXPECT_EQ(surface_.cell(0).corners, corners);
+        EXPECT_EQ(surface_.cell(0).corners[lift_.wall], corners[1]);
+        EXPECT_TRUE(location_.alternatives().empty()); // the other face has the same place, no second one
+        std::swap(patch_.added[0], patch_.added[1]);
+        patch_.added[0].corners = {2, 3, 0};
+    }
+}
+
+TEST_F(OnASquare, APointOnTheWallOfTheBorderIsUndecided) {
+    EXPECT_EQ(locate({0.5, 0, 0.5}), Verdict::undecided);
+    EXPECT_EQ(locate({0.5, 0x1p-30, 0.5}), Verdict::accepted);
+    EXPECT_EQ(locate({0.5, -0x1p-30, 0.5}), Verdict::no_preimage);
+}
+
+TEST_F(OnASquare, APointOnAPillarIsUndecided) {
+    EXPECT_EQ(locate({1, 1, 0.5}), Verdict::undecided);
+}
+
+TEST_F(OnASquare, APointBesideTheSquareHasNoPlace) {
+    EXPECT_EQ(locate({1.5, 0.5, 0.5}), Verdict::no_preimage);
+    EXPECT_EQ(locate({0.5, -3, -0.5}), Verdict::no_preimage);
+}
+
+TEST_F(OnASquare, AFaceThatFoldsAtOnceIsRefusedBeforeAnyPoint) {
+    patch_.changed[1].value.direction = Vec3(0, 0, -1);
+    EXPECT_EQ(locate({0.25, 0.75, 0.5}), Verdict::jacobian);
+}
+
+// Two faces opposite each other, at y = 0 and y = 1; q lies before both.
+TEST_F(OnASquare, APointBeforeTwoFacesGoesToTheNearerOne) {
+    patch_.added = {{{0, 1, 2}, -1}, {{3, 4, 5}, -1}};
+    patch_.changed = {moved(0, {0, 0, 0}, {0, 1, 0}),  moved(1, {0, 0, 1}, {0, 1, 0}),
+                      moved(2, {1, 0, 0}, {0, 1, 0}),  moved(3, {0, 1, 0}, {0, -1, 0}),
+                      moved(4, {1, 1, 0}, {0, -1, 0}), moved(5, {0, 1, 1}, {0, -1, 0})};
+    const Vec3 q(0.25, 0.375, 0.25);
+    ASSERT_EQ(locate(q), Verdict::accepted);
+    EXPECT_EQ(lift_.cell, 0);
+    ASSERT_EQ(location_.alternatives().size(), 1);
+    EXPECT_EQ(location_.alternatives()[0].cell, 1);
+    EXPECT_GT(std::abs(location_.alternatives()[0].at.t), std::abs(lift_.at.t));
+    EXPECT_EQ(locate(q, Uniqueness::fold_free), Verdict::several_preimages);
+}
+
+} // namespace
+} // namespace foldless

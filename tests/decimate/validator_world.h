@@ -1,0 +1,122 @@
+/// \file
+/// A scan with its base mesh and a validator, for patches made by hand.
+#pragma once
+
+#include <foldless/decimate/collapse.h>
+#include <foldless/decimate/validator.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <ostream>
+#include <vector>
+
+namespace foldless {
+
+/// GoogleTest prints verdicts by name.
+inline void PrintTo(Verdict verdict, std::ostream* out) {
+    *out << name(verdict);
+}
+
+} // namespace foldless
+
+namespace foldless::test {
+
+/// The scan as its own base mesh, all directions the same until a test sets others.
+class World {
+public:
+    explicit World(Scan scan, const Vec3& direction = Vec3::UnitZ())
+        : scan_(std::move(scan)), topology_(scan_), base_(scan_) {
+        for (std::size_t v = 0; v < base_.vertex_slots(); ++v) {
+            base_.vertex(static_cast<std::int32_t>(v)).direction = direction;
+        }
+    }
+
+    [[nodiscard]] const Scan& scan() const { return scan_; }
+    [[nodiscard]] const ScanTopology& topology() const { return topology_; }
+    [[nodiscard]] BaseSurface& base() { return base_; }
+
+    [[nodiscard]] Verdict judge(const Patch& patch, const ValidatorOptions& options = {}) {
+        Validator validator(base_, scan_, topology_, options);
+        const Verdict verdict = validator.judge(patch);
+        trial_ = validator.trial();
+        return verdict;
+    }
+    /// Of the last patch judged.
+    [[nodiscard]] const Trial& trial() const { return trial_; }
+
+    /// The edge between two base vertices, -1 if there is none.
+    [[nodiscard]] std::int32_t edge(std::int32_t a, std::int32_t b) const {
+        const auto h = base_.connectivity().find_halfedge(OpenMesh::VertexHandle(a), OpenMesh::VertexHandle(b));
+        return h.is_valid() ? base_.connectivity().edge_handle(h).idx() : -1;
+    }
+
+    /// The collapse of one base vertex into another.
+    [[nodiscard]] Collapse collapse(std::int32_t gone, std::int32_t stays) const {
+        return {base_.connectivity().find_halfedge(OpenMesh::VertexHandle(gone), OpenMesh::VertexHandle(stays)), gone,
+                stays};
+    }
+
+    /// The patch of that collapse onto the place of `stays`.
+    [[nodiscard]] Patch collapse_patch(std::int32_t gone, std::int32_t stays) const {
+        Patch patch;
+        fill_faces(base_, collapse(gone, stays), false, patch);
+        BaseVertex vertex = base_.vertex(gone);
+        vertex.scan_vertex = -1;
+        patch.changed.push_back({gone, vertex});
+        return patch;
+    }
+
+    /// Carries out the collapse whose patch was judged last, and accepted.
+    void commit_collapse(std::int32_t gone, std::int32_t stays, const Patch& patch) {
+        base_.connectivity().collapse(collapse(gone, stays).halfedge);
+        for (const PatchVertex& changed : patch.changed) {
+            base_.vertex(changed.index) = changed.value;
+        }
+        for (std::size_t n = 0; n < patch.added.size(); ++n) {
+            const Trial::NewFace& face = trial_.faces[n];
+            base_.face(patch.added[n].slot) = {face.range, face.scan_faces, face.is_scan_face};
+        }
+        for (const Trial::NewPlace& place : trial_.places) {
+            const PatchFace& face = patch.added[place.face];
+            Place& stored = base_.place(place.scan_vertex);
+            stored = {face.slot, -1, Vec3::Zero(), place.t};
+            const Triangle corners = base_.corners(face.slot); // perhaps turned by the collapse
+            for (int k = 0; k < 3; ++k) {
+                const auto at = std::find(face.corners.begin(), face.corners.end(), corners[k]);
+                stored.alpha[k] = place.alpha[at - face.corners.begin()];
+            }
+        }
+    }
+
+    /// Every face of the scan.
+    [[nodiscard]] std::vector<std::int32_t> all_faces() const {
+        std::vector<std::int32_t> faces(scan_.faces.size());
+        std::iota(faces.begin(), faces.end(), 0);
+        return faces;
+    }
+
+    /// A patch in which the given triangles take the place of everything.
+    [[nodiscard]] Patch replacing_all(const std::vector<Triangle>& triangles) const {
+        Patch patch;
+        patch.removed = all_faces();
+        for (const Triangle& corners : triangles) {
+            patch.added.push_back({corners, -1});
+        }
+        return patch;
+    }
+
+private:
+    Scan scan_;
+    ScanTopology topology_;
+    BaseSurface base_;
+    Trial trial_;
+};
+
+/// A vertex of a patch that is no scan vertex.
+inline PatchVertex moved(std::int32_t index, const Vec3& position, const Vec3& direction = Vec3::UnitZ()) {
+    return {index, {position, direction, -1}};
+}
+
+} // namespace foldless::test
