@@ -45,7 +45,7 @@ Validator::Validator(const BaseSurface& base, const Scan& scan, const ScanTopolo
                      const ValidatorOptions& options)
     : base_(&base), scan_(&scan), topology_(&topology), options_(options), surface_(base),
       face_stamp_(scan.faces.size(), 0), vertex_stamp_(scan.positions.size(), 0),
-      vertex_index_(scan.positions.size(), -1) {}
+      vertex_index_(scan.positions.size(), -1), beside_stamp_(scan.positions.size(), 0) {}
 
 const std::vector<std::int32_t>& Validator::gather(const std::vector<std::int32_t>& removed) {
     ++stamp_;
@@ -569,35 +569,44 @@ Verdict Validator::test_faces_beside() {
             }
         }
     }
+    std::vector<CellPlaces> here;
     for (int c = 0; c < surface_.new_cells(); ++c) {
-        if (trial_.faces[c].is_scan_face) {
-            continue;
+        if (!trial_.faces[c].is_scan_face) {
+            here.emplace_back(surface_, c);
         }
-        const CellPlaces here(surface_, c);
-        for (const int outer : beside_) {
-            const Verdict verdict = surface_.share_corner(outer, c) ? test_vertices_of(outer, here) : Verdict::accepted;
-            if (verdict != Verdict::accepted) {
-                return verdict;
-            }
+    }
+    for (const int outer : beside_) {
+        const Verdict verdict = test_vertices_of(outer, here);
+        if (verdict != Verdict::accepted) {
+            return verdict;
         }
     }
     return Verdict::accepted;
 }
 
-Verdict Validator::test_vertices_of(int outer, const CellPlaces& here) {
+Verdict Validator::test_vertices_of(int outer, const std::vector<CellPlaces>& here) {
     const std::int32_t face = surface_.cell(outer).face;
     for (const std::int32_t f : base_->face(face).scan_faces) {
         for (const std::int32_t v : scan_->faces[f]) {
-            const Place& place = base_->place(v);
-            if (place.face != face || !here.may_hold(scan_->positions[v])) {
+            if (beside_stamp_[v] == stamp_) {
                 continue;
             }
-            const std::optional<Enclosure> at =
-                enclose(surface_.cell(outer).triangle, scan_->positions[v], place.alpha, place.t);
-            const Verdict verdict =
-                at ? here.lacks(scan_->positions[v], {outer, *at, wall_of(*at)}) : Verdict::undecided;
-            if (verdict != Verdict::accepted) {
-                return verdict;
+            const Place& place = base_->place(v);
+            if (place.face != face) {
+                continue;
+            }
+            beside_stamp_[v] = stamp_;
+            for (std::size_t n = 0; n < here.size(); ++n) {
+                if (!here[n].may_hold(scan_->positions[v]) || !surface_.share_corner(outer, here[n].cell())) {
+                    continue;
+                }
+                const std::optional<Enclosure> at =
+                    enclose(surface_.cell(outer).triangle, scan_->positions[v], place.alpha, place.t);
+                const Verdict verdict =
+                    at ? here[n].lacks(scan_->positions[v], {outer, *at, wall_of(*at)}) : Verdict::undecided;
+                if (verdict != Verdict::accepted) {
+                    return verdict;
+                }
             }
         }
     }

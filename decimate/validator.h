@@ -96,7 +96,7 @@ private:
     [[nodiscard]] Verdict close_ranges();
     [[nodiscard]] Verdict test_alternatives() const;
     [[nodiscard]] Verdict test_faces_beside();
-    [[nodiscard]] Verdict test_vertices_of(int outer, const CellPlaces& here);
+    [[nodiscard]] Verdict test_vertices_of(int outer, const std::vector<CellPlaces>& here);
     [[nodiscard]] bool corner(std::int32_t scan_vertex, Corner& out);
     [[nodiscard]] const FanOrder* order_of(std::int32_t base_vertex);
     [[nodiscard]] static std::int32_t kept_as(const Corner& corner);
@@ -135,7 +135,8 @@ private:
     OddEdges odd_;
     std::vector<Pillar> inside_;
     Fan fan_;
-    std::vector<int> beside_;
+    std::vector<int> beside_;                ///< cells beside the patch
+    std::vector<std::uint32_t> beside_stamp_; ///< scan vertices on them that were tested
 };
 
 } // namespace foldless

@@ -1,11 +1,20 @@
 #include <foldless/verify/scan_image.h>
 
 #include <foldless/predicates/rounding.h>
+#include <foldless/predicates/wall.h>
 
 #include <algorithm>
 
 namespace foldless::verification {
 namespace {
+
+/// Whether a line that leaves the kept corner along e certainly does not start in the face: seen along the direction of the
+/// corner it turns outwards past one of the two walls there.
+bool starts_elsewhere(const MovingFace& face, std::int32_t corner, const Vec3& e) {
+    const int k = corner_of(face.corners, corner);
+    return Wall(face.triangle, (k + 2) % 3).passes_at_corner(e, 0) == Sign::positive ||
+           Wall(face.triangle, (k + 1) % 3).passes_at_corner(e, 1) == Sign::positive;
+}
 
 Lifted lift_by_traces(const Correspondents& all, std::int32_t scan_face, const ScanPoint& point) {
     Lifted result;
@@ -13,6 +22,12 @@ Lifted lift_by_traces(const Correspondents& all, std::int32_t scan_face, const S
     for (int k = 0; k < 3; ++k) {
         footholds(all.base, all.place(scan_face, k), starts);
         const Line line{all.scan.positions[all.scan.faces[scan_face][k]], point.position, point.error};
+        const std::int32_t kept = all.place(scan_face, k).kept;
+        if (kept >= 0) {
+            std::erase_if(starts, [&](const Foothold& start) {
+                return starts_elsewhere(all.base.face(start.face), kept, line.to - line.from);
+            });
+        }
         const Trace traced = trace(all.base, line, starts, {});
         if (traced.outcome == Trace::Outcome::followed) {
             return {traced.end, false};
