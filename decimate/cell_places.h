@@ -18,8 +18,8 @@ public:
 
     /// False if q is outside the box around the prismoid.
     [[nodiscard]] bool may_hold(const Vec3& q) const {
-        return q.x() >= low_.x() && q.x() <= high_.x() && q.y() >= low_.y() && q.y() <= high_.y() && q.z() >= low_.z() &&
-               q.z() <= high_.z();
+        return q.x() >= low_.x() && q.x() <= high_.x() && q.y() >= low_.y() && q.y() <= high_.y() &&
+               q.z() >= low_.z() && q.z() <= high_.z();
     }
 
     /// `accepted` if q, whose place is `known`, has no other place in this cell: none at all, or the same point on the

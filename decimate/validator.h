@@ -135,7 +135,7 @@ private:
     OddEdges odd_;
     std::vector<Pillar> inside_;
     Fan fan_;
-    std::vector<int> beside_;                ///< cells beside the patch
+    std::vector<int> beside_;                 ///< cells beside the patch
     std::vector<std::uint32_t> beside_stamp_; ///< scan vertices on them that were tested
 };
 

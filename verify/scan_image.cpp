@@ -8,8 +8,8 @@
 namespace foldless::verification {
 namespace {
 
-/// Whether a line that leaves the kept corner along e certainly does not start in the face: seen along the direction of the
-/// corner it turns outwards past one of the two walls there.
+/// Whether a line that leaves the kept corner along e certainly does not start in the face: seen along the direction of
+/// the corner it turns outwards past one of the two walls there.
 bool starts_elsewhere(const MovingFace& face, std::int32_t corner, const Vec3& e) {
     const int k = corner_of(face.corners, corner);
     return Wall(face.triangle, (k + 2) % 3).passes_at_corner(e, 0) == Sign::positive ||
