@@ -19,7 +19,11 @@ bool starts_elsewhere(const MovingFace& face, std::int32_t corner, const Vec3& e
 Lifted lift_by_traces(const Correspondents& all, std::int32_t scan_face, const ScanPoint& point) {
     Lifted result;
     std::vector<Foothold> starts;
-    for (int k = 0; k < 3; ++k) {
+    // From corners that are not kept first: their face is known. Around a kept vertex several fans between frozen faces
+    // may lie over each other, and the way there tells which one is meant.
+    std::array<int, 3> order{0, 1, 2};
+    std::stable_partition(order.begin(), order.end(), [&](int k) { return all.place(scan_face, k).kept < 0; });
+    for (const int k : order) {
         footholds(all.base, all.place(scan_face, k), starts);
         const Line line{all.scan.positions[all.scan.faces[scan_face][k]], point.position, point.error};
         const std::int32_t kept = all.place(scan_face, k).kept;
