@@ -64,6 +64,19 @@ void BaseSurface::faces_around(std::int32_t v, std::vector<std::int32_t>& out) c
     } while (h != outgoing);
 }
 
+std::int32_t BaseSurface::any_face_around(std::int32_t v) const {
+    const Halfedge outgoing = connectivity_.halfedge_handle(OpenMesh::VertexHandle(v));
+    const bool at_border = connectivity_.is_boundary(outgoing);
+    return (at_border ? connectivity_.opposite_face_handle(connectivity_.prev_halfedge_handle(outgoing))
+                      : connectivity_.face_handle(outgoing))
+        .idx();
+}
+
+void BaseSurface::set_place(std::int32_t scan_vertex, std::int32_t face, const Vec3& alpha, double t) {
+    places_[scan_vertex] = {face, -1, faces_[face].first_vertex, alpha, t};
+    faces_[face].first_vertex = scan_vertex;
+}
+
 bool BaseSurface::is_border_vertex(std::int32_t v) const {
     return connectivity_.is_boundary(OpenMesh::VertexHandle(v));
 }

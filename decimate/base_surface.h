@@ -33,6 +33,7 @@ struct BaseVertex {
 struct BaseFace {
     Range range{0.0, 0.0};                ///< displacements over the face, float32 values
     std::vector<std::int32_t> scan_faces; ///< every scan face whose image meets the closed face
+    std::int32_t first_vertex = -1;       ///< of the scan vertices that have their place on it; Place::next follows
     bool is_scan_face = true;             ///< still the scan face of the same index, represented by itself
 };
 
@@ -40,6 +41,7 @@ struct BaseFace {
 struct Place {
     std::int32_t face = -1; ///< base face, or -1 for a kept vertex
     std::int32_t kept = -1; ///< the base vertex that it is kept as, or -1
+    std::int32_t next = -1; ///< the next scan vertex with its place on the same face, or -1
     Vec3 alpha = Vec3::Zero();
     double t = 0.0;
 };
@@ -59,7 +61,8 @@ public:
     [[nodiscard]] const BaseFace& face(std::int32_t f) const { return faces_[f]; }
     [[nodiscard]] BaseFace& face(std::int32_t f) { return faces_[f]; }
     [[nodiscard]] const Place& place(std::int32_t scan_vertex) const { return places_[scan_vertex]; }
-    [[nodiscard]] Place& place(std::int32_t scan_vertex) { return places_[scan_vertex]; }
+    /// Gives a scan vertex a place on a face, of which it becomes the first vertex.
+    void set_place(std::int32_t scan_vertex, std::int32_t face, const Vec3& alpha, double t);
 
     /// Corners of a face in its orientation. The first one may change when a collapse touches the face.
     [[nodiscard]] Triangle corners(std::int32_t f) const;
@@ -67,6 +70,8 @@ public:
     [[nodiscard]] std::int32_t neighbour(std::int32_t f, int k) const;
     /// The faces around a vertex, counter-clockwise, a fan from border to border or a full cycle.
     void faces_around(std::int32_t v, std::vector<std::int32_t>& out) const;
+    /// The first of them; the vertex must have one.
+    [[nodiscard]] std::int32_t any_face_around(std::int32_t v) const;
     [[nodiscard]] bool is_border_vertex(std::int32_t v) const;
 
     [[nodiscard]] std::size_t face_slots() const { return faces_.size(); }

@@ -2,8 +2,7 @@
 
 namespace foldless {
 
-CellPlaces::CellPlaces(PatchedSurface& surface, int cell)
-    : surface_(&surface), cell_(cell), inverse_(surface.cell(cell).triangle) {
+CellPlaces::CellPlaces(PatchedSurface& surface, int cell) : surface_(&surface), cell_(cell) {
     // The prismoid lies in the hull of the corners of its two end slices.
     const BaseTriangle& triangle = surface.cell(cell).triangle;
     const Range range = surface.cell(cell).range;
@@ -22,8 +21,15 @@ CellPlaces::CellPlaces(PatchedSurface& surface, int cell)
 }
 
 Verdict CellPlaces::lacks(const Vec3& q, const Lift& known) const {
-    const Range range = surface_->cell(cell_).range;
-    const Preimages preimages = inverse_.preimages(q);
+    if (!prismoid_) {
+        prismoid_.emplace(surface_->cell(cell_).triangle, surface_->cell(cell_).range);
+    }
+    const std::optional<Range> part = prismoid_->displacements(q);
+    if (!part) {
+        return Verdict::accepted;
+    }
+    const Range range = prismoid_->range();
+    const Preimages preimages = prismoid_->preimages(q, *part);
     if (preimages.kind == Preimages::Kind::infinite) {
         return Verdict::undecided;
     }

@@ -4,8 +4,10 @@
 
 #include <foldless/decimate/patched_surface.h>
 #include <foldless/decimate/point_location.h>
+#include <foldless/decimate/prismoid.h>
 #include <foldless/decimate/verdict.h>
-#include <foldless/predicates/inverse_displacement.h>
+
+#include <optional>
 
 namespace foldless {
 
@@ -29,7 +31,7 @@ public:
 private:
     PatchedSurface* surface_;
     int cell_;
-    InverseDisplacement inverse_;
+    mutable std::optional<Prismoid> prismoid_; ///< prepared when first asked: few cells ever are
     Vec3 low_;
     Vec3 high_;
 };

@@ -1,5 +1,6 @@
 #include <foldless/decimate/decimator.h>
 
+#include <foldless/decimate/commit.h>
 #include <foldless/decimate/vertex_directions.h>
 #include <foldless/decimate/visible_direction.h>
 
@@ -272,49 +273,10 @@ void Decimator::commit() {
             edges.push_back(edge.idx());
         }
     }
-    base_.connectivity().collapse(collapse_.halfedge);
+    commit_collapse(base_, collapse_, patch_, validator_.trial());
     quadrics_[collapse_.stays] += quadrics_[collapse_.gone];
-    for (const PatchVertex& changed : patch_.changed) {
-        base_.vertex(changed.index) = changed.value;
-    }
-    commit_faces();
-    commit_places();
-    update_queue(edges);
-}
-
-void Decimator::commit_faces() {
-    for (const std::int32_t f : patch_.removed) {
-        base_.face(f).scan_faces.clear();
-    }
     face_count_ -= patch_.removed.size() - patch_.added.size();
-    const Trial& trial = validator_.trial();
-    for (std::size_t n = 0; n < patch_.added.size(); ++n) {
-        BaseFace& face = base_.face(patch_.added[n].slot);
-        face.range = trial.faces[n].range;
-        face.is_scan_face = trial.faces[n].is_scan_face;
-        face.scan_faces = trial.faces[n].scan_faces;
-    }
-    for (const std::int32_t f : patch_.removed) {
-        if (base_.face(f).scan_faces.empty()) {
-            base_.face(f).scan_faces.shrink_to_fit();
-        }
-    }
-}
-
-void Decimator::commit_places() {
-    for (const Trial::NewPlace& place : validator_.trial().places) {
-        const PatchFace& face = patch_.added[place.face];
-        // The collapse may have turned the corners of the face.
-        const Triangle corners = base_.corners(face.slot);
-        Place& stored = base_.place(place.scan_vertex);
-        stored.face = face.slot;
-        stored.kept = -1;
-        stored.t = place.t;
-        for (int k = 0; k < 3; ++k) {
-            const auto before = std::find(face.corners.begin(), face.corners.end(), corners[k]) - face.corners.begin();
-            stored.alpha[k] = place.alpha[before];
-        }
-    }
+    update_queue(edges);
 }
 
 void Decimator::update_queue(const std::vector<std::int32_t>& edges_before) {

@@ -43,8 +43,6 @@ private:
     [[nodiscard]] std::optional<Vec3> visible_direction_of(std::int32_t v);
     [[nodiscard]] bool is_frozen(std::int32_t face) const;
     void commit();
-    void commit_faces();
-    void commit_places();
     void update_queue(const std::vector<std::int32_t>& edges_before);
     [[nodiscard]] std::optional<StopReason> interrupted();
     [[nodiscard]] double squared_length(std::int32_t edge) const;

@@ -14,26 +14,38 @@ Range hull(double a, double b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
+bool holds(Range outer, Range inner) {
+    return outer.lo <= inner.lo && inner.hi <= outer.hi;
+}
+
+/// The edge where it enters a cell.
+struct Visit {
+    Vec3 a, e;       ///< start of the edge, and from there to its end
+    double s;        ///< how far along the edge
+    int entered_by;  ///< the wall through which it came, or -1
+    Passing passing; ///< of the walls, at the displacements where it is likely to leave
+};
+
 /// A crossing through which the edge leaves a cell.
 struct Exit {
     int wall = -1;
     Wall::Crossing at{};
 };
 
-/// The first wall through which the edge leaves the cell, coming from displacement `t`, not further back than s.
-Exit first_exit(const Cell& cell, const std::array<Vec3, 2>& edge, int entered_by, double s) {
-    const Vec3 e = edge[1] - edge[0];
+/// The first wall through which the edge leaves the cell at a displacement in `range`, not further back than s.
+Exit first_exit(const Cell& cell, const Visit& visit, Range range) {
     Exit exit;
+    const bool known = holds(visit.passing.range, range);
     for (int k = 0; k < 3; ++k) {
-        if (k == entered_by) {
+        if (k == visit.entered_by || (known && visit.passing.sign[k] == Sign::negative)) {
             continue;
         }
-        const Wall::Crossings found = cell.walls[k].crossings(edge[0], e, {cell.range, true});
+        const Wall::Crossings found = cell.wall(k).crossings(visit.a, visit.e, {range, true});
         for (int n = 0; n < found.count; ++n) {
             const Wall::Crossing& at = found.values[n];
-            const bool ahead = at.s >= s - at.error;
+            const bool ahead = at.s >= visit.s - at.error;
             const bool in_range = at.t >= cell.range.lo && at.t <= cell.range.hi;
-            const bool outwards = cell.walls[k].passes_at(e, at) == Sign::positive || std::isinf(at.error);
+            const bool outwards = std::isinf(at.error) || cell.wall(k).passes_at(visit.e, at) == Sign::positive;
             if (ahead && in_range && outwards && (exit.wall < 0 || at.s < exit.at.s)) {
                 exit = {k, at};
             }
@@ -42,13 +54,23 @@ Exit first_exit(const Cell& cell, const std::array<Vec3, 2>& edge, int entered_b
     return exit;
 }
 
+/// The first exit at a likely displacement, else at any.
+Exit find_exit(const Cell& cell, const Visit& visit) {
+    const Range likely{std::max(cell.range.lo, visit.passing.range.lo),
+                       std::min(cell.range.hi, visit.passing.range.hi)};
+    const Exit exit = first_exit(cell, visit, likely);
+    return exit.wall < 0 ? first_exit(cell, visit, cell.range) : exit;
+}
+
 bool strictly_inside_unit(double value, double error) {
     return value > error && value < 1 - error;
 }
 
-/// Whether the line meets the wall at no more than one displacement in the range.
-bool leaves_once(const Wall& wall, const Vec3& a, const Vec3& e, Range range) {
-    return wall.passes(e, range) == Sign::positive || wall.meets_once_at_most(a, e, range);
+/// Whether the line meets wall k at no more than one displacement in the range.
+bool leaves_once(const Cell& cell, int k, const Visit& visit, Range range) {
+    const bool known = visit.passing.sign[k] == Sign::positive && holds(visit.passing.range, range);
+    return known || cell.wall(k).passes(visit.e, range) == Sign::positive ||
+           cell.wall(k).meets_once_at_most(visit.a, visit.e, range);
 }
 
 /// Whether wall k of the cell ends at a kept end of the stretch and is met only there.
@@ -57,7 +79,7 @@ bool met_only_at_end(const PatchedSurface& surface, int cell, int k, const Stret
         const int corner = v < 0 ? -1 : surface.corner_of(cell, v);
         if (corner >= 0 && corner != k) {
             const int lambda = corner == (k + 1) % 3 ? 0 : 1;
-            if (surface.cell(cell).walls[k].met_only_at_corner(stretch.e, lambda, stretch.range)) {
+            if (surface.cell(cell).wall(k).met_only_at_corner(stretch.e, lambda, stretch.range)) {
                 return true;
             }
         }
@@ -82,14 +104,22 @@ bool crosses_elsewhere(const Wall& wall, const Stretch& stretch) {
 
 } // namespace
 
-bool meets_no_wall(const PatchedSurface& surface, int cell, const Stretch& stretch) {
+Passing passing(const Cell& cell, const Vec3& e, Range range) {
+    return {range, {cell.wall(0).passes(e, range), cell.wall(1).passes(e, range), cell.wall(2).passes(e, range)}};
+}
+
+bool meets_no_wall(const PatchedSurface& surface, int cell, const Stretch& stretch, const Passing& known) {
     const Cell& c = surface.cell(cell);
+    const bool applies = holds(known.range, stretch.range);
     for (int k = 0; k < 3; ++k) {
-        if (k != stretch.exit && c.walls[k].passes(stretch.e, stretch.range) == Sign::undecided &&
-            !c.walls[k].misses(stretch.a, stretch.e, stretch.range) && !met_only_at_end(surface, cell, k, stretch) &&
+        if (k == stretch.exit || (applies && known.sign[k] != Sign::undecided)) {
+            continue;
+        }
+        if (c.wall(k).passes(stretch.e, stretch.range) == Sign::undecided &&
+            !c.wall(k).misses(stretch.a, stretch.e, stretch.range) && !met_only_at_end(surface, cell, k, stretch) &&
             !stays_off_wall(c.triangle, k, part_of_edge(stretch.a, stretch.e, stretch.s, stretch.s_error),
                             stretch.range) &&
-            !crosses_elsewhere(c.walls[k], stretch)) {
+            !crosses_elsewhere(c.wall(k), stretch)) {
             return false;
         }
     }
@@ -98,22 +128,26 @@ bool meets_no_wall(const PatchedSurface& surface, int cell, const Stretch& stret
 
 Verdict trace_edge(PatchedSurface& surface, const TraceEnd& a, const TraceEnd& b,
                    std::vector<TraceCrossing>& crossings) {
-    const std::array<Vec3, 2> edge{a.point, b.point};
     const Vec3 e = b.point - a.point;
     int at = a.cell;
     int entered_by = -1;
     double t = a.t;
     double s = 0;
     double s_error = 0;
+    const double length = e.norm();
     for (int n = 0; n < most_crossings; ++n) {
         const std::int32_t from_kept = n == 0 ? a.kept : -1;
+        // Directions of unit length move a point of the edge by no more than the base mesh is off, rarely by its
+        // length.
+        const Range towards{std::min(t, b.t) - length, std::max(t, b.t) + length};
+        const Visit visit{a.point, e, s, entered_by, passing(surface.cell(at), e, towards)};
         if (at == b.cell) {
             const Stretch rest{a.point, e, {s, 1.0}, s_error, hull(t, b.t), {from_kept, b.kept}, -1};
-            if (meets_no_wall(surface, at, rest)) {
+            if (meets_no_wall(surface, at, rest, visit.passing)) {
                 return Verdict::accepted;
             }
         }
-        const Exit exit = first_exit(surface.cell(at), edge, entered_by, s);
+        const Exit exit = find_exit(surface.cell(at), visit);
         if (exit.wall < 0) {
             return at == b.cell ? Verdict::undecided : Verdict::no_preimage;
         }
@@ -121,8 +155,8 @@ Verdict trace_edge(PatchedSurface& surface, const TraceEnd& a, const TraceEnd& b
         const Range between = hull(t, exit.at.t);
         const Stretch way{a.point,         e,        {s, exit.at.s}, std::max(s_error, exit.at.error), between,
                           {from_kept, -1}, exit.wall};
-        if (!strictly_inside_unit(exit.at.lambda, exit.at.error) ||
-            !leaves_once(cell.walls[exit.wall], a.point, e, between) || !meets_no_wall(surface, at, way)) {
+        if (!strictly_inside_unit(exit.at.lambda, exit.at.error) || !leaves_once(cell, exit.wall, visit, between) ||
+            !meets_no_wall(surface, at, way, visit.passing)) {
             return Verdict::undecided;
         }
         const std::array<std::int32_t, 2> base_edge{cell.corners[(exit.wall + 1) % 3],

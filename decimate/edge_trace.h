@@ -30,11 +30,19 @@ struct Stretch {
     int exit = -1;                            ///< the wall through which it leaves, which is not asked
 };
 
+/// The direction in which a scan edge along `e` passes each wall of a cell over a range of displacements, as
+/// Wall::passes() has it.
+struct Passing {
+    Range range;
+    std::array<Sign, 3> sign;
+};
+[[nodiscard]] Passing passing(const Cell& cell, const Vec3& e, Range range);
+
 /// Whether the stretch certainly meets no wall of the cell between its ends: every wall is either passed in one
 /// direction only over its displacements, hence at most once, which two ends on the inner side exclude; or it starts
 /// from an end of the stretch and is met only there; or the line of the edge misses it; or the stretch stays on one
-/// side of it; or its crossings, all known, lie elsewhere. Cheapest first.
-[[nodiscard]] bool meets_no_wall(const PatchedSurface& surface, int cell, const Stretch& stretch);
+/// side of it; or its crossings, all known, lie elsewhere. Cheapest first, what is known already before all.
+[[nodiscard]] bool meets_no_wall(const PatchedSurface& surface, int cell, const Stretch& stretch, const Passing& known);
 
 /// A crossing of a scan edge with the wall between two cells.
 struct TraceCrossing {

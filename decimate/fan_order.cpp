@@ -8,7 +8,11 @@ namespace foldless {
 Verdict FanOrder::reset(std::int32_t v, PatchedSurface& surface, const Scan& scan, const ScanTopology& topology) {
     vertex_ = v;
     edges_.clear();
-    surface.fan(v, fan_);
+    fan_ = &surface.fan(v);
+    spoke_scan_vertices_.clear();
+    for (const std::int32_t spoke : fan_->spokes) {
+        spoke_scan_vertices_.push_back(surface.vertex(spoke).scan_vertex);
+    }
     const Verdict turns = base_turns_once(surface);
     if (turns != Verdict::accepted) {
         return turns;
@@ -37,23 +41,23 @@ Verdict FanOrder::base_turns_once(PatchedSurface& surface) const {
     // Each sector of a moving cell turns by less than half a turn (J > 0), so a run of them turns by a full turn or
     // more exactly if a later sector holds the direction of its first edge again. In a cycle the last sector ends
     // there.
-    const std::size_t n = fan_.cells.size();
-    const auto impassable = [&](std::size_t c) { return surface.cell(fan_.cells[c % n]).impassable; };
+    const std::size_t n = fan_->cells.size();
+    const auto impassable = [&](std::size_t c) { return surface.cell(fan_->cells[c % n]).impassable; };
     std::size_t start = 0;
     while (start < n && !impassable(start)) {
         ++start;
     }
     if (start == n) {
-        return no_sector_holds(0, 1, fan_.closed ? n - 1 : n, surface);
+        return no_sector_holds(0, 1, fan_->closed ? n - 1 : n, surface);
     }
     // Runs between impassable cells: from each moving cell that follows one (or the beginning of an open fan).
     for (std::size_t c = 0; c < n; ++c) {
-        const bool first = fan_.closed ? impassable(c + n - 1) : c == 0 || impassable(c - 1);
+        const bool first = fan_->closed ? impassable(c + n - 1) : c == 0 || impassable(c - 1);
         if (impassable(c) || !first) {
             continue;
         }
         std::size_t last = c + 1;
-        while (!impassable(last) && (fan_.closed || last < n)) {
+        while (!impassable(last) && (fan_->closed || last < n)) {
             ++last;
         }
         const Verdict verdict = no_sector_holds(c, c + 1, last, surface);
@@ -66,12 +70,12 @@ Verdict FanOrder::base_turns_once(PatchedSurface& surface) const {
 
 Verdict FanOrder::no_sector_holds(std::size_t spoke, std::size_t first, std::size_t last,
                                   PatchedSurface& surface) const {
-    const Vec3 e = surface.vertex(fan_.spokes[spoke]).position - surface.vertex(vertex_).position;
+    const Vec3 e = surface.vertex(fan_->spokes[spoke]).position - surface.vertex(vertex_).position;
     for (std::size_t c = first; c < last; ++c) {
-        const int cell = fan_.cells[c % fan_.cells.size()];
+        const int cell = fan_->cells[c % fan_->cells.size()];
         const int k = surface.corner_of(cell, vertex_);
-        const Sign right = surface.cell(cell).walls[(k + 2) % 3].passes_at_corner(e, 0);
-        const Sign left = surface.cell(cell).walls[(k + 1) % 3].passes_at_corner(e, 1);
+        const Sign right = surface.cell(cell).wall((k + 2) % 3).passes_at_corner(e, 0);
+        const Sign left = surface.cell(cell).wall((k + 1) % 3).passes_at_corner(e, 1);
         if (right == Sign::negative && left == Sign::negative) {
             return Verdict::jacobian;
         }
@@ -83,21 +87,20 @@ Verdict FanOrder::no_sector_holds(std::size_t spoke, std::size_t first, std::siz
 }
 
 Verdict FanOrder::find_position(std::int32_t neighbour, PatchedSurface& surface, const Scan& scan, int& out) const {
-    for (std::size_t c = 0; c < fan_.spokes.size(); ++c) {
-        if (surface.vertex(fan_.spokes[c]).scan_vertex == neighbour) {
-            out = static_cast<int>(2 * c);
-            return Verdict::accepted;
-        }
+    const auto spoke = std::find(spoke_scan_vertices_.begin(), spoke_scan_vertices_.end(), neighbour);
+    if (spoke != spoke_scan_vertices_.end()) {
+        out = static_cast<int>(2 * (spoke - spoke_scan_vertices_.begin()));
+        return Verdict::accepted;
     }
     const Vec3 e = scan.positions[neighbour] - surface.vertex(vertex_).position;
     bool undecided = false;
-    for (std::size_t c = 0; c < fan_.cells.size(); ++c) {
-        const Cell& cell = surface.cell(fan_.cells[c]);
-        const int k = surface.corner_of(fan_.cells[c], vertex_);
+    for (std::size_t c = 0; c < fan_->cells.size(); ++c) {
+        const Cell& cell = surface.cell(fan_->cells[c]);
+        const int k = surface.corner_of(fan_->cells[c], vertex_);
         // The wall opposite corner k + 2 runs from k to k + 1, so corner k is at its lambda = 0; the one opposite k + 1
         // runs from k + 2 to k, so corner k is at lambda = 1.
-        const Sign right = cell.walls[(k + 2) % 3].passes_at_corner(e, 0);
-        const Sign left = cell.walls[(k + 1) % 3].passes_at_corner(e, 1);
+        const Sign right = cell.wall((k + 2) % 3).passes_at_corner(e, 0);
+        const Sign left = cell.wall((k + 1) % 3).passes_at_corner(e, 1);
         if (right == Sign::negative && left == Sign::negative) {
             out = static_cast<int>(2 * c + 1);
             return cell.impassable ? Verdict::no_preimage : Verdict::accepted;
@@ -115,8 +118,8 @@ int FanOrder::position(std::int32_t neighbour) const {
 }
 
 int FanOrder::steps(int from, int to) const {
-    const int around = static_cast<int>(2 * fan_.cells.size());
-    return fan_.closed ? (to - from + around) % around : to - from;
+    const int around = static_cast<int>(2 * fan_->cells.size());
+    return fan_->closed ? (to - from + around) % around : to - from;
 }
 
 Verdict FanOrder::goes_round_once(std::int32_t scan_vertex, const Scan& scan, const ScanTopology& topology) const {
@@ -132,9 +135,9 @@ Verdict FanOrder::goes_round_once(std::int32_t scan_vertex, const Scan& scan, co
         }
         total += forward;
     }
-    const int around = static_cast<int>(2 * fan_.cells.size());
+    const int around = static_cast<int>(2 * fan_->cells.size());
     const bool scan_closed = topology.border_successor(scan_vertex) < 0;
-    if (fan_.closed && scan_closed) {
+    if (fan_->closed && scan_closed) {
         return total == around ? Verdict::accepted : Verdict::orientation;
     }
     return total <= around ? Verdict::accepted : Verdict::orientation;

@@ -13,6 +13,8 @@ namespace foldless {
 
 /// The fan of a kept vertex with the position of every scan edge that leaves it, seen along its direction.
 ///
+/// Refers to the fan that the patched surface holds, until that is reset.
+///
 /// Positions count half steps counter-clockwise: the base edge to spokes[c] is at 2c, the inside of cell c at 2c + 1.
 class FanOrder {
 public:
@@ -23,14 +25,14 @@ public:
                                 const ScanTopology& topology);
 
     [[nodiscard]] std::int32_t vertex() const { return vertex_; }
-    [[nodiscard]] const Fan& fan() const { return fan_; }
+    [[nodiscard]] const Fan& fan() const { return *fan_; }
 
     /// Position of the scan edge to the scan vertex `neighbour`.
     [[nodiscard]] int position(std::int32_t neighbour) const;
     /// Whether the scan edge to `neighbour` is a base edge.
     [[nodiscard]] bool is_base_edge(std::int32_t neighbour) const { return position(neighbour) % 2 == 0; }
     /// The cell in which the scan edge to `neighbour` starts; it must not be a base edge.
-    [[nodiscard]] int start_cell(std::int32_t neighbour) const { return fan_.cells[position(neighbour) / 2]; }
+    [[nodiscard]] int start_cell(std::int32_t neighbour) const { return fan_->cells[position(neighbour) / 2]; }
     /// Half steps counter-clockwise from one position to another.
     [[nodiscard]] int steps(int from, int to) const;
 
@@ -48,7 +50,8 @@ private:
                                           const ScanTopology& topology) const;
 
     std::int32_t vertex_ = -1;
-    Fan fan_;
+    const Fan* fan_ = nullptr;
+    std::vector<std::int32_t> spoke_scan_vertices_; ///< what the far ends of the base edges are kept as, or -1
     std::vector<Edge> edges_;
 };
 

@@ -21,11 +21,26 @@ void PatchedSurface::reset(const Patch& patch, bool constant_directions) {
     constant_directions_ = constant_directions;
     ++stamp_;
     cells_.clear();
+    fans_used_ = 0;
     for (const std::int32_t face : patch.removed) {
         removed_stamp_[face] = stamp_;
     }
+    find_rim();
     for (const PatchFace& face : patch.added) {
-        cells_.push_back(prepare(-1, face.corners, represents_itself(face)));
+        prepare(-1, face.corners, represents_itself(face));
+    }
+}
+
+void PatchedSurface::find_rim() {
+    rim_.clear();
+    for (const std::int32_t face : patch_->removed) {
+        const Triangle corners = base_->corners(face);
+        for (int k = 0; k < 3; ++k) {
+            const std::int32_t outer = base_->neighbour(face, k);
+            if (outer >= 0 && !removes(outer)) {
+                rim_.push_back({corners[(k + 1) % 3], corners[(k + 2) % 3], outer});
+            }
+        }
     }
 }
 
@@ -38,26 +53,22 @@ const BaseVertex& PatchedSurface::vertex(std::int32_t v) const {
     return base_->vertex(v);
 }
 
-Cell PatchedSurface::prepare(std::int32_t face, const Triangle& corners, bool impassable) const {
-    BaseTriangle triangle;
-    std::array<bool, 3> kept{};
+void PatchedSurface::prepare(std::int32_t face, const Triangle& corners, bool impassable) {
+    Cell& cell = cells_.emplace_back();
+    cell.face = face;
+    cell.corners = corners;
+    cell.neighbours.fill(not_yet_known);
+    cell.impassable = impassable;
+    cell.range = face >= 0 ? base_->face(face).range : Range{0.0, 0.0};
     for (int k = 0; k < 3; ++k) {
         const BaseVertex& corner = vertex(corners[k]);
-        triangle.v[k] = corner.position;
-        triangle.d[k] = corner.direction;
-        kept[k] = corner.scan_vertex >= 0;
+        cell.triangle.v[k] = corner.position;
+        cell.triangle.d[k] = corner.direction;
+        cell.kept[k] = corner.scan_vertex >= 0;
     }
     if (constant_directions_) {
-        triangle.d.fill(face_direction(triangle.v));
+        cell.triangle.d.fill(face_direction(cell.triangle.v));
     }
-    return {face,
-            corners,
-            kept,
-            {not_yet_known, not_yet_known, not_yet_known},
-            triangle,
-            {Wall(triangle, 0), Wall(triangle, 1), Wall(triangle, 2)},
-            face >= 0 ? base_->face(face).range : Range{0.0, 0.0},
-            impassable};
 }
 
 bool PatchedSurface::represents_itself(const PatchFace& face) const {
@@ -80,12 +91,12 @@ int PatchedSurface::cell_of(std::int32_t face) {
     if (cell_stamp_[face] != stamp_) {
         cell_stamp_[face] = stamp_;
         cell_index_[face] = static_cast<int>(cells_.size());
-        cells_.push_back(prepare(face, base_->corners(face), base_->face(face).is_scan_face));
+        prepare(face, base_->corners(face), base_->face(face).is_scan_face);
     }
     return cell_index_[face];
 }
 
-int PatchedSurface::across(std::int32_t from, std::int32_t to) const {
+int PatchedSurface::new_cell_along(std::int32_t from, std::int32_t to) const {
     for (int c = 0; c < new_cells(); ++c) {
         const Triangle& corners = cells_[c].corners;
         for (int k = 0; k < 3; ++k) {
@@ -98,21 +109,26 @@ int PatchedSurface::across(std::int32_t from, std::int32_t to) const {
 }
 
 int PatchedSurface::neighbour(int c, int k) {
-    if (cells_[c].neighbours[k] != not_yet_known) {
-        return cells_[c].neighbours[k];
+    if (cells_[c].neighbours[k] == not_yet_known) {
+        const int found = find_neighbour(c, k);
+        cells_[c].neighbours[k] = found; // after the search, which may add cells
     }
+    return cells_[c].neighbours[k];
+}
+
+int PatchedSurface::find_neighbour(int c, int k) {
     const std::int32_t from = cells_[c].corners[(k + 1) % 3];
     const std::int32_t to = cells_[c].corners[(k + 2) % 3];
-    int result = across(to, from);
-    if (result == border) {
-        // No new face has this edge: its other face, if any, stays.
-        const OpenMesh::HalfedgeHandle edge =
-            base_->connectivity().find_halfedge(OpenMesh::VertexHandle(to), OpenMesh::VertexHandle(from));
-        const std::int32_t face = edge.is_valid() ? base_->connectivity().face_handle(edge).idx() : -1;
-        result = face < 0 || removes(face) ? border : cell_of(face);
+    if (cells_[c].face >= 0) {
+        const std::int32_t face = base_->neighbour(cells_[c].face, k);
+        if (face >= 0 && !removes(face)) {
+            return cell_of(face);
+        }
+        return face < 0 ? border : new_cell_along(to, from);
     }
-    cells_[c].neighbours[k] = result;
-    return result;
+    const auto on_rim = [&](const RimEdge& edge) { return edge.from == from && edge.to == to; };
+    const auto edge = std::find_if(rim_.begin(), rim_.end(), on_rim);
+    return edge != rim_.end() ? cell_of(edge->outer) : new_cell_along(to, from);
 }
 
 int PatchedSurface::corner_of(int c, std::int32_t v) const {
@@ -128,21 +144,20 @@ bool PatchedSurface::share_corner(int a, int b) const {
 
 void PatchedSurface::cells_beside(std::vector<int>& out) {
     out.clear();
-    std::vector<std::int32_t> rim;
-    for (const PatchFace& face : patch_->added) {
-        rim.insert(rim.end(), face.corners.begin(), face.corners.end());
-    }
-    std::sort(rim.begin(), rim.end());
-    rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
-    for (const std::int32_t v : rim) {
-        if (v >= static_cast<std::int32_t>(base_->vertex_slots())) {
-            continue; // a vertex that the patch brings
-        }
+    const auto add_around = [&](std::int32_t v) {
         base_->faces_around(v, around_);
         for (const std::int32_t face : around_) {
             if (!removes(face) && !base_->face(face).is_scan_face) {
                 out.push_back(cell_of(face));
             }
+        }
+    };
+    // Along a closed rim every vertex starts an edge; an open one ends at one that does not.
+    for (const RimEdge& edge : rim_) {
+        add_around(edge.from);
+        const auto starts_here = [&](const RimEdge& other) { return other.from == edge.to; };
+        if (std::none_of(rim_.begin(), rim_.end(), starts_here)) {
+            add_around(edge.to);
         }
     }
     std::sort(out.begin(), out.end());
@@ -155,38 +170,51 @@ int PatchedSurface::any_cell_at(std::int32_t v) {
             return c;
         }
     }
-    base_->faces_around(v, around_);
-    return cell_of(around_.front());
+    return cell_of(base_->any_face_around(v));
 }
 
-void PatchedSurface::fan(std::int32_t v, Fan& out) {
-    out.cells.clear();
-    out.spokes.clear();
-    // Around corner k of a cell, the clockwise neighbour lies across the edge to corner k + 1 (opposite corner k + 2)
-    // and the counter-clockwise one across the edge to corner k + 2 (opposite corner k + 1).
-    const int start = any_cell_at(v);
-    int first = start;
-    out.closed = false;
-    for (int c = start; c != border;) {
-        first = c;
-        c = neighbour(c, (corner_of(c, v) + 2) % 3);
-        if (c == start) {
-            out.closed = true;
-            first = start;
-            break;
+const Fan& PatchedSurface::fan(std::int32_t v) {
+    for (std::size_t n = 0; n < fans_used_; ++n) {
+        if (fans_[n].vertex == v) {
+            return fans_[n];
         }
     }
-    int c = first;
+    if (fans_used_ == fans_.size()) {
+        fans_.emplace_back();
+    }
+    Fan& fan = fans_[fans_used_++];
+    fan.vertex = v;
+    walk_around(fan);
+    return fan;
+}
+
+void PatchedSurface::walk_around(Fan& fan) {
+    fan.cells.clear();
+    fan.spokes.clear();
+    // Around corner k of a cell, the counter-clockwise neighbour lies across the edge to corner k + 2 (opposite corner
+    // k + 1) and the clockwise one across the edge to corner k + 1 (opposite corner k + 2).
+    const int start = any_cell_at(fan.vertex);
+    int c = start;
     do {
-        const int k = corner_of(c, v);
-        out.cells.push_back(c);
-        out.spokes.push_back(cells_[c].corners[(k + 1) % 3]);
+        const int k = corner_of(c, fan.vertex);
+        fan.cells.push_back(c);
+        fan.spokes.push_back(cells_[c].corners[(k + 1) % 3]);
         const int next = neighbour(c, (k + 1) % 3);
         if (next == border) {
-            out.spokes.push_back(cells_[c].corners[(k + 2) % 3]);
+            fan.spokes.push_back(cells_[c].corners[(k + 2) % 3]);
         }
         c = next;
-    } while (c != border && c != first);
+    } while (c != border && c != start);
+    fan.closed = c == start;
+    if (fan.closed) {
+        return;
+    }
+    for (c = neighbour(start, (corner_of(start, fan.vertex) + 2) % 3); c != border;) {
+        const int k = corner_of(c, fan.vertex);
+        fan.cells.insert(fan.cells.begin(), c);
+        fan.spokes.insert(fan.spokes.begin(), cells_[c].corners[(k + 1) % 3]);
+        c = neighbour(c, (k + 2) % 3);
+    }
 }
 
 } // namespace foldless

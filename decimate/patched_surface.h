@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
+#include <optional>
 #include <vector>
 
 namespace foldless {
@@ -20,9 +22,17 @@ struct Cell {
     std::array<bool, 3> kept;      ///< which corners are kept vertices
     std::array<int, 3> neighbours; ///< cells opposite each corner, or one of the values below
     BaseTriangle triangle;         ///< positions and directions
-    std::array<Wall, 3> walls;     ///< walls opposite each corner
     Range range;                   ///< outside: the stored one; new: where J > 0 can hold, then the hull
     bool impassable;               ///< a scan face that represents itself: nothing may enter it
+
+    /// The wall opposite corner k, prepared when it is first asked for.
+    [[nodiscard]] const Wall& wall(int k) const {
+        if (!walls[k]) {
+            walls[k].emplace(triangle, k);
+        }
+        return *walls[k];
+    }
+    mutable std::array<std::optional<Wall>, 3> walls;
 };
 
 /// Values of Cell::neighbours that are no cell.
@@ -31,6 +41,7 @@ inline constexpr int not_yet_known = -2;
 
 /// Where the edges of a fan of cells around a vertex lie: cell c between edges c and c + 1, counter-clockwise.
 struct Fan {
+    std::int32_t vertex;
     std::vector<int> cells;
     std::vector<std::int32_t> spokes; ///< the base vertex at the far end of each edge; one more than cells if open
     bool closed = true;
@@ -65,14 +76,17 @@ public:
     [[nodiscard]] bool share_corner(int a, int b) const;
     /// The passable cells outside the patch that share a corner with a new cell.
     void cells_beside(std::vector<int>& out);
-    /// The fan of cells around a vertex of the patched surface.
-    void fan(std::int32_t v, Fan& out);
+    /// The fan of cells around a vertex of the patched surface; stays where it is until the next reset.
+    [[nodiscard]] const Fan& fan(std::int32_t v);
 
 private:
-    [[nodiscard]] Cell prepare(std::int32_t face, const Triangle& corners, bool impassable) const;
+    void prepare(std::int32_t face, const Triangle& corners, bool impassable);
     [[nodiscard]] bool represents_itself(const PatchFace& face) const;
-    [[nodiscard]] int across(std::int32_t from, std::int32_t to) const;
+    [[nodiscard]] int new_cell_along(std::int32_t from, std::int32_t to) const;
+    [[nodiscard]] int find_neighbour(int c, int k);
+    void find_rim();
     [[nodiscard]] int any_cell_at(std::int32_t v);
+    void walk_around(Fan& fan);
 
     const BaseSurface* base_;
     const Patch* patch_ = nullptr;
@@ -82,7 +96,15 @@ private:
     std::vector<std::uint32_t> removed_stamp_; ///< per base face
     std::vector<std::uint32_t> cell_stamp_;    ///< per base face
     std::vector<int> cell_index_;              ///< per base face, valid where stamped
-    std::vector<std::int32_t> around_;         ///< scratch
+    /// An edge of the rim, in the orientation of the patch, and the face that stays on its other side.
+    struct RimEdge {
+        std::int32_t from, to;
+        std::int32_t outer;
+    };
+    std::vector<RimEdge> rim_;
+    std::deque<Fan> fans_; ///< those asked for; the first fans_used_ are of this patch
+    std::size_t fans_used_ = 0;
+    std::vector<std::int32_t> around_; ///< scratch
 };
 
 } // namespace foldless

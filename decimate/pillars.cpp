@@ -9,7 +9,7 @@
 namespace foldless {
 namespace {
 
-std::array<std::int32_t, 2> ordered(std::int32_t a, std::int32_t b) {
+std::pair<std::int32_t, std::int32_t> ordered(std::int32_t a, std::int32_t b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
@@ -74,7 +74,7 @@ Verdict PillarFlood::find(PatchedSurface& surface, const ScanTriangle& triangle,
     outside_.clear();
     odd_met_ = 0;
     for (const auto& edge : odd.values()) {
-        for (const std::int32_t v : edge) {
+        for (const std::int32_t v : {edge.first, edge.second}) {
             if (contains(inside, v) || std::find(outside_.begin(), outside_.end(), v) != outside_.end()) {
                 continue;
             }
@@ -101,16 +101,16 @@ Verdict PillarFlood::find(PatchedSurface& surface, const ScanTriangle& triangle,
 Verdict PillarFlood::spread(PatchedSurface& surface, const ScanTriangle& triangle, const OddEdges& odd,
                             std::vector<Pillar>& inside) {
     for (std::size_t next = 0; next < inside.size(); ++next) {
-        surface.fan(inside[next].vertex, fan_);
-        if (!fan_.closed) {
+        const Fan& fan = surface.fan(inside[next].vertex);
+        if (!fan.closed) {
             return Verdict::normal_condition;
         }
-        for (const int c : fan_.cells) {
+        for (const int c : fan.cells) {
             if (surface.cell(c).impassable) {
                 return Verdict::normal_condition;
             }
         }
-        for (const std::int32_t spoke : fan_.spokes) {
+        for (const std::int32_t spoke : fan.spokes) {
             const bool is_inside = contains(inside, spoke);
             if (odd.contains(inside[next].vertex, spoke)) {
                 ++odd_met_;

@@ -8,6 +8,7 @@
 #include <foldless/predicates/vector.h>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace foldless {
@@ -27,10 +28,11 @@ public:
     [[nodiscard]] bool contains(std::int32_t a, std::int32_t b) const;
     [[nodiscard]] bool empty() const { return edges_.empty(); }
     [[nodiscard]] std::size_t size() const { return edges_.size(); }
-    [[nodiscard]] const std::vector<std::array<std::int32_t, 2>>& values() const { return edges_; }
+    /// The two base vertices of each edge, smaller index first.
+    [[nodiscard]] const std::vector<std::pair<std::int32_t, std::int32_t>>& values() const { return edges_; }
 
 private:
-    std::vector<std::array<std::int32_t, 2>> edges_; ///< smaller index first
+    std::vector<std::pair<std::int32_t, std::int32_t>> edges_;
 };
 
 /// Finds the set I of base vertices inside the image of the triangle, by flooding from the odd edges: exactly one end
@@ -45,7 +47,6 @@ private:
     [[nodiscard]] Verdict spread(PatchedSurface& surface, const ScanTriangle& triangle, const OddEdges& odd,
                                  std::vector<Pillar>& inside);
     std::vector<std::int32_t> outside_;
-    Fan fan_;
     std::size_t odd_met_ = 0;
 };
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <foldless/decimate/patched_surface.h>
+#include <foldless/decimate/prismoid.h>
 #include <foldless/decimate/verdict.h>
 #include <foldless/predicates/enclosure.h>
-#include <foldless/predicates/inverse_displacement.h>
 
 #include <vector>
 
@@ -47,24 +47,13 @@ public:
     [[nodiscard]] const std::vector<Lift>& alternatives() const { return alternatives_; }
 
 private:
-    /// A cell with what is asked of it once per point.
     struct Prepared {
-        Prepared(const BaseTriangle& triangle, int index, Range range);
-        [[nodiscard]] bool excludes(const Vec3& q) const;
-
         int cell;
-        Range fold_free;
-        InverseDisplacement inverse;
-        Vec3 origin;
-        Vec3 normal;                 ///< of the base triangle at t = 0
-        double slowest, fastest;     ///< smallest and largest d_i.normal
-        std::array<Vec3, 3> outward; ///< normals of three planes along the walls
-        std::array<Vec3, 3> level;   ///< outward[k].(v_c - v_0) for the corners c
-        std::array<Vec3, 3> drift;   ///< outward[k].d_c
-        std::array<double, 3> slack;
+        Prismoid prismoid; ///< over the range in which J > 0 at the corners
     };
 
-    void collect(const Prepared& prepared, const Vec3& q);
+    void find_in(const Prepared& prepared, const Vec3& q);
+    void collect(const Preimages& preimages, const Prepared& prepared, const Vec3& q);
     [[nodiscard]] Verdict on_open_wall(const Lift& lift) const;
 
     PatchedSurface* surface_ = nullptr;

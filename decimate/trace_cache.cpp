@@ -28,31 +28,16 @@ std::size_t TraceCache::slot(std::int32_t a, std::int32_t b) const {
     return at;
 }
 
-void TraceCache::grow() {
+void TraceCache::insert(std::size_t at, const Entry& entry) {
+    table_[at] = static_cast<std::int32_t>(entries_.size());
+    entries_.push_back(entry);
+    if (2 * entries_.size() <= table_.size()) {
+        return;
+    }
     table_.assign(2 * table_.size(), -1);
     for (std::size_t n = 0; n < entries_.size(); ++n) {
         table_[slot(entries_[n].a, entries_[n].b)] = static_cast<std::int32_t>(n);
     }
-}
-
-Verdict TraceCache::trace(std::int32_t a, std::int32_t b,
-                          const std::function<Verdict(std::vector<TraceCrossing>&)>& follow,
-                          std::vector<TraceCrossing>& crossings) {
-    std::size_t at = slot(a, b);
-    if (table_[at] < 0) {
-        const std::size_t begin = pool_.size();
-        const Verdict verdict = follow(pool_);
-        table_[at] = static_cast<std::int32_t>(entries_.size());
-        entries_.push_back({a, b, begin, pool_.size(), verdict});
-        if (2 * entries_.size() > table_.size()) {
-            grow();
-            at = slot(a, b);
-        }
-    }
-    const Entry& entry = entries_[table_[at]];
-    crossings.insert(crossings.end(), pool_.begin() + static_cast<std::ptrdiff_t>(entry.begin),
-                     pool_.begin() + static_cast<std::ptrdiff_t>(entry.end));
-    return entry.verdict;
 }
 
 } // namespace foldless

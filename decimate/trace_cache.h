@@ -5,7 +5,6 @@
 #include <foldless/decimate/edge_trace.h>
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace foldless {
@@ -16,9 +15,22 @@ public:
     void clear();
 
     /// Appends the crossings of the scan edge between the vertices a < b, as `follow` finds them the first time.
-    [[nodiscard]] Verdict trace(std::int32_t a, std::int32_t b,
-                                const std::function<Verdict(std::vector<TraceCrossing>&)>& follow,
-                                std::vector<TraceCrossing>& crossings);
+    template <class Follow>
+    [[nodiscard]] Verdict trace(std::int32_t a, std::int32_t b, const Follow& follow,
+                                std::vector<TraceCrossing>& crossings) {
+        const std::size_t at = slot(a, b);
+        if (table_[at] < 0) {
+            const std::size_t begin = pool_.size();
+            const Verdict verdict = follow(pool_);
+            insert(at, {a, b, begin, pool_.size(), verdict});
+            crossings.insert(crossings.end(), pool_.begin() + static_cast<std::ptrdiff_t>(begin), pool_.end());
+            return verdict;
+        }
+        const Entry& entry = entries_[table_[at]];
+        crossings.insert(crossings.end(), pool_.begin() + static_cast<std::ptrdiff_t>(entry.begin),
+                         pool_.begin() + static_cast<std::ptrdiff_t>(entry.end));
+        return entry.verdict;
+    }
 
 private:
     struct Entry {
@@ -27,7 +39,7 @@ private:
         Verdict verdict;
     };
     [[nodiscard]] std::size_t slot(std::int32_t a, std::int32_t b) const;
-    void grow();
+    void insert(std::size_t at, const Entry& entry);
 
     std::vector<std::int32_t> table_; ///< entry index or -1, open addressing; the size is a power of two
     std::vector<Entry> entries_;

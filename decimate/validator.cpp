@@ -1,7 +1,5 @@
 #include <foldless/decimate/validator.h>
 
-#include <foldless/decimate/cell_places.h>
-
 #include <foldless/io/float32.h>
 #include <foldless/predicates/jacobian.h>
 #include <foldless/predicates/scan_orientation.h>
@@ -44,8 +42,7 @@ ScanTriangle triangle_of(const Scan& scan, std::int32_t f) {
 Validator::Validator(const BaseSurface& base, const Scan& scan, const ScanTopology& topology,
                      const ValidatorOptions& options)
     : base_(&base), scan_(&scan), topology_(&topology), options_(options), surface_(base),
-      face_stamp_(scan.faces.size(), 0), vertex_stamp_(scan.positions.size(), 0),
-      vertex_index_(scan.positions.size(), -1), beside_stamp_(scan.positions.size(), 0) {}
+      face_stamp_(scan.faces.size(), 0), moved_(scan.positions.size()) {}
 
 const std::vector<std::int32_t>& Validator::gather(const std::vector<std::int32_t>& removed) {
     ++stamp_;
@@ -78,10 +75,13 @@ Verdict Validator::judge(const Patch& patch) {
 
     Verdict verdict = location_.reset(surface_, options_.uniqueness);
     if (verdict == Verdict::accepted) {
-        verdict = locate_vertices();
+        verdict = locate_vertices(patch);
     }
     if (verdict == Verdict::accepted) {
         verdict = reach_kept_corners(patch);
+    }
+    if (verdict == Verdict::accepted) {
+        find_wall_planes();
     }
     if (verdict == Verdict::accepted && !options_.constant_directions) {
         verdict = order_fans(patch);
@@ -98,49 +98,46 @@ Verdict Validator::judge(const Patch& patch) {
     return verdict == Verdict::accepted ? test_faces_beside() : verdict;
 }
 
-Verdict Validator::locate_vertices() {
-    scan_vertices_.clear();
+Verdict Validator::locate_vertices(const Patch& patch) {
     lifts_.clear();
     alternatives_.clear();
-    for (const std::int32_t f : scan_faces_) {
-        for (const std::int32_t v : scan_->faces[f]) {
-            if (vertex_stamp_[v] == stamp_) {
-                continue;
-            }
-            vertex_stamp_[v] = stamp_;
-            vertex_index_[v] = -1;
-            const Place& place = base_->place(v);
-            const bool moves =
-                place.kept >= 0 ? surface_.vertex(place.kept).scan_vertex != v : surface_.removes(place.face);
-            if (!moves) {
-                continue;
-            }
-            Lift lift{};
-            ++trial_.retested;
-            const Verdict verdict = location_.locate(scan_->positions[v], lift);
+    for (const std::int32_t face : patch.removed) {
+        for (std::int32_t v = base_->face(face).first_vertex; v >= 0; v = base_->place(v).next) {
+            const Verdict verdict = locate_vertex(v);
             if (verdict != Verdict::accepted) {
                 return verdict;
             }
-            for (const Lift& other : location_.alternatives()) {
-                alternatives_.emplace_back(v, other);
-            }
-            vertex_index_[v] = static_cast<std::int32_t>(lifts_.size());
-            lifts_.push_back(lift);
-            trial_.places.push_back({v, lift.cell, lift.at.alpha, lift.at.t});
-            const Verdict reached = reach(lift.cell, lift.at.t, lift.at.t_error);
-            if (reached != Verdict::accepted) {
-                return reached;
-            }
-            const int beside = lift.wall < 0 ? border : surface_.neighbour(lift.cell, lift.wall);
-            if (beside != border) {
-                const Verdict also = reach(beside, lift.at.t, lift.at.t_error);
-                if (also != Verdict::accepted) {
-                    return also;
-                }
+        }
+    }
+    for (const PatchVertex& changed : patch.changed) {
+        const bool was_there = changed.index < static_cast<std::int32_t>(base_->vertex_slots());
+        const std::int32_t v = was_there ? base_->vertex(changed.index).scan_vertex : -1;
+        if (v >= 0 && changed.value.scan_vertex != v) { // kept no longer
+            const Verdict verdict = locate_vertex(v);
+            if (verdict != Verdict::accepted) {
+                return verdict;
             }
         }
     }
     return Verdict::accepted;
+}
+
+Verdict Validator::locate_vertex(std::int32_t v) {
+    ++trial_.retested;
+    Lift lift{};
+    const Verdict verdict = location_.locate(scan_->positions[v], lift);
+    if (verdict != Verdict::accepted) {
+        return verdict;
+    }
+    for (const Lift& other : location_.alternatives()) {
+        alternatives_.emplace_back(v, other);
+    }
+    moved_[v] = {stamp_, static_cast<std::int32_t>(lifts_.size())};
+    lifts_.push_back(lift);
+    trial_.places.push_back({v, lift.cell, lift.at.alpha, lift.at.t});
+    const Verdict reached = reach(lift.cell, lift.at.t, lift.at.t_error);
+    const int beside = lift.wall < 0 ? border : surface_.neighbour(lift.cell, lift.wall);
+    return reached != Verdict::accepted || beside == border ? reached : reach(beside, lift.at.t, lift.at.t_error);
 }
 
 Verdict Validator::reach_kept_corners(const Patch& patch) {
@@ -154,6 +151,17 @@ Verdict Validator::reach_kept_corners(const Patch& patch) {
         }
     }
     return Verdict::accepted;
+}
+
+void Validator::find_wall_planes() {
+    planes_.clear();
+    for (int c = 0; c < surface_.new_cells(); ++c) {
+        planes_.emplace_back(surface_.cell(c).triangle, hulls_[c]);
+    }
+    behind_.clear();
+    for (std::size_t n = 0; n < lifts_.size(); ++n) {
+        behind_.push_back(planes_[lifts_[n].cell].behind(scan_->positions[trial_.places[n].scan_vertex]));
+    }
 }
 
 Verdict Validator::order_fans(const Patch& patch) {
@@ -200,21 +208,22 @@ const FanOrder* Validator::order_of(std::int32_t base_vertex) {
 
 bool Validator::corner(std::int32_t scan_vertex, Corner& out) {
     out.scan_vertex = scan_vertex;
-    const bool listed = vertex_stamp_[scan_vertex] == stamp_ && vertex_index_[scan_vertex] >= 0;
-    if (listed) {
-        const Lift& lift = lifts_[vertex_index_[scan_vertex]];
-        out = {scan_vertex, lift.cell, nullptr, lift.at.alpha, lift.at.t, lift.at.alpha_error, true};
+    const Moved& moved = moved_[scan_vertex];
+    if (moved.stamp == stamp_) {
+        const Lift& lift = lifts_[moved.lift];
+        const unsigned behind = behind_[moved.lift];
+        out = {scan_vertex, lift.cell, nullptr, lift.at.alpha, lift.at.t, lift.at.alpha_error, true, behind};
         return true;
     }
     const Place& place = base_->place(scan_vertex);
     if (place.kept >= 0) {
-        out = {scan_vertex, -1, nullptr, Vec3::Zero(), 0.0, 0.0, false};
+        out = {scan_vertex, -1, nullptr, Vec3::Zero(), 0.0, 0.0, false, 0};
         if (!options_.constant_directions) {
             out.order = order_of(place.kept);
         }
         return out.order != nullptr || options_.constant_directions;
     }
-    out = {scan_vertex, surface_.cell_of(place.face), nullptr, place.alpha, place.t, 0.0, false};
+    out = {scan_vertex, surface_.cell_of(place.face), nullptr, place.alpha, place.t, 0.0, false, 0};
     return true;
 }
 
@@ -269,6 +278,9 @@ int Validator::common_cell(const std::array<Corner, 3>& corners) const {
 
 Verdict Validator::stays_in(int cell, const std::array<Corner, 3>& corners) const {
     // `undecided` here only means: not by this short way.
+    if ((corners[0].behind & corners[1].behind & corners[2].behind) == WallPlanes::all) {
+        return Verdict::accepted; // all three lie on this new cell
+    }
     Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (int k = 0; k < 3; ++k) {
         const Corner& corner = corners[k];
@@ -294,8 +306,9 @@ Verdict Validator::stays_in(int cell, const std::array<Corner, 3>& corners) cons
             continue;
         }
         const Vec3& from = scan_->positions[a.scan_vertex];
-        const Vec3& to = scan_->positions[b.scan_vertex];
-        if (!meets_no_wall(surface_, cell, {from, to - from, {0.0, 1.0}, 0.0, range, {kept_as(a), kept_as(b)}, -1})) {
+        const Vec3 e = scan_->positions[b.scan_vertex] - from;
+        const Stretch whole{from, e, {0.0, 1.0}, 0.0, range, {kept_as(a), kept_as(b)}, -1};
+        if (!meets_no_wall(surface_, cell, whole, passing(surface_.cell(cell), e, range))) {
             return Verdict::undecided;
         }
     }
@@ -339,7 +352,7 @@ Verdict Validator::test_face(std::int32_t scan_face) {
         touch(cell, scan_face);
         return cell < surface_.new_cells() ? test_orientation(cell, corners) : Verdict::accepted;
     }
-    verdict = test_spanning(q, corners);
+    verdict = test_spanning(q, corners, normal);
     if (verdict != Verdict::accepted) {
         return verdict;
     }
@@ -425,14 +438,14 @@ Verdict Validator::trace(const Corner& a, const Corner& b) {
     return traces_.trace(low.scan_vertex, high.scan_vertex, follow, crossings_);
 }
 
-Verdict Validator::test_spanning(const ScanTriangle& q, const std::array<Corner, 3>& corners) {
+Verdict Validator::test_spanning(const ScanTriangle& q, const std::array<Corner, 3>& corners,
+                                 const ScanNormal& normal) {
     for (int k = 0; k < 3; ++k) {
         const Verdict verdict = trace(corners[k], corners[(k + 1) % 3]);
         if (verdict != Verdict::accepted) {
             return verdict;
         }
     }
-    const ScanNormal normal(q);
     Verdict verdict = test_crossings(normal);
     return verdict == Verdict::accepted ? test_pillars(q, corners) : verdict;
 }
@@ -506,8 +519,7 @@ Verdict Validator::record(std::int32_t scan_face, const std::array<Corner, 3>& c
         }
     }
     for (const Pillar& pillar : inside_) {
-        surface_.fan(pillar.vertex, fan_);
-        for (const int cell : fan_.cells) {
+        for (const int cell : surface_.fan(pillar.vertex).cells) {
             touch(cell, scan_face);
             const Verdict verdict = reach(cell, pillar.t, pillar.t_error);
             if (verdict != Verdict::accepted) {
@@ -569,14 +581,14 @@ Verdict Validator::test_faces_beside() {
             }
         }
     }
-    std::vector<CellPlaces> here;
+    here_.clear();
     for (int c = 0; c < surface_.new_cells(); ++c) {
         if (!trial_.faces[c].is_scan_face) {
-            here.emplace_back(surface_, c);
+            here_.emplace_back(surface_, c);
         }
     }
     for (const int outer : beside_) {
-        const Verdict verdict = test_vertices_of(outer, here);
+        const Verdict verdict = test_vertices_of(outer);
         if (verdict != Verdict::accepted) {
             return verdict;
         }
@@ -584,29 +596,18 @@ Verdict Validator::test_faces_beside() {
     return Verdict::accepted;
 }
 
-Verdict Validator::test_vertices_of(int outer, const std::vector<CellPlaces>& here) {
-    const std::int32_t face = surface_.cell(outer).face;
-    for (const std::int32_t f : base_->face(face).scan_faces) {
-        for (const std::int32_t v : scan_->faces[f]) {
-            if (beside_stamp_[v] == stamp_) {
+Verdict Validator::test_vertices_of(int outer) const {
+    for (std::int32_t v = base_->face(surface_.cell(outer).face).first_vertex; v >= 0; v = base_->place(v).next) {
+        const Vec3& q = scan_->positions[v];
+        for (const CellPlaces& here : here_) {
+            if (!here.may_hold(q) || !surface_.share_corner(outer, here.cell())) {
                 continue;
             }
             const Place& place = base_->place(v);
-            if (place.face != face) {
-                continue;
-            }
-            beside_stamp_[v] = stamp_;
-            for (std::size_t n = 0; n < here.size(); ++n) {
-                if (!here[n].may_hold(scan_->positions[v]) || !surface_.share_corner(outer, here[n].cell())) {
-                    continue;
-                }
-                const std::optional<Enclosure> at =
-                    enclose(surface_.cell(outer).triangle, scan_->positions[v], place.alpha, place.t);
-                const Verdict verdict =
-                    at ? here[n].lacks(scan_->positions[v], {outer, *at, wall_of(*at)}) : Verdict::undecided;
-                if (verdict != Verdict::accepted) {
-                    return verdict;
-                }
+            const std::optional<Enclosure> at = enclose(surface_.cell(outer).triangle, q, place.alpha, place.t);
+            const Verdict verdict = at ? here.lacks(q, {outer, *at, wall_of(*at)}) : Verdict::undecided;
+            if (verdict != Verdict::accepted) {
+                return verdict;
             }
         }
     }

@@ -2,11 +2,13 @@
 /// The guard: may a patch take the place of the faces that go?
 #pragma once
 
+#include <foldless/decimate/cell_places.h>
 #include <foldless/decimate/edge_trace.h>
 #include <foldless/decimate/fan_order.h>
 #include <foldless/decimate/patched_surface.h>
 #include <foldless/decimate/pillars.h>
 #include <foldless/decimate/point_location.h>
+#include <foldless/decimate/prismoid.h>
 #include <foldless/decimate/scan_topology.h>
 #include <foldless/decimate/trace_cache.h>
 #include <foldless/decimate/verdict.h>
@@ -18,8 +20,6 @@
 #include <vector>
 
 namespace foldless {
-
-class CellPlaces;
 
 struct ValidatorOptions {
     Uniqueness uniqueness = Uniqueness::in_range;
@@ -77,18 +77,22 @@ private:
         Vec3 alpha;
         double t;
         double alpha_error;
-        bool is_new; ///< its place is new
+        bool is_new;     ///< its place is new
+        unsigned behind; ///< which planes along the walls of its new cell
     };
 
-    [[nodiscard]] Verdict locate_vertices();
+    [[nodiscard]] Verdict locate_vertices(const Patch& patch);
+    [[nodiscard]] Verdict locate_vertex(std::int32_t v);
     [[nodiscard]] Verdict reach_kept_corners(const Patch& patch);
+    void find_wall_planes();
     [[nodiscard]] Verdict order_fans(const Patch& patch);
     [[nodiscard]] Verdict test_face(std::int32_t scan_face);
     [[nodiscard]] Verdict test_constant(std::int32_t scan_face, const std::array<Corner, 3>& corners,
                                         const ScanNormal& normal);
     [[nodiscard]] Verdict test_orientation(int cell, const std::array<Corner, 3>& corners) const;
     [[nodiscard]] Verdict record(std::int32_t scan_face, const std::array<Corner, 3>& corners);
-    [[nodiscard]] Verdict test_spanning(const ScanTriangle& q, const std::array<Corner, 3>& corners);
+    [[nodiscard]] Verdict test_spanning(const ScanTriangle& q, const std::array<Corner, 3>& corners,
+                                        const ScanNormal& normal);
     [[nodiscard]] Verdict trace(const Corner& a, const Corner& b);
     [[nodiscard]] Verdict test_corners(const std::array<Corner, 3>& corners, const ScanNormal& normal) const;
     [[nodiscard]] Verdict test_crossings(const ScanNormal& normal) const;
@@ -96,7 +100,7 @@ private:
     [[nodiscard]] Verdict close_ranges();
     [[nodiscard]] Verdict test_alternatives() const;
     [[nodiscard]] Verdict test_faces_beside();
-    [[nodiscard]] Verdict test_vertices_of(int outer, const std::vector<CellPlaces>& here);
+    [[nodiscard]] Verdict test_vertices_of(int outer) const;
     [[nodiscard]] bool corner(std::int32_t scan_vertex, Corner& out);
     [[nodiscard]] const FanOrder* order_of(std::int32_t base_vertex);
     [[nodiscard]] static std::int32_t kept_as(const Corner& corner);
@@ -118,13 +122,17 @@ private:
     std::vector<Range> hulls_; ///< of the displacements met so far, per new face
 
     // Scan elements on the patch; stamps tell which belong to the current trial.
+    struct Moved {
+        std::uint32_t stamp = 0;
+        std::int32_t lift = -1; ///< into lifts_
+    };
     std::uint32_t stamp_ = 0;
     std::vector<std::uint32_t> face_stamp_;
-    std::vector<std::uint32_t> vertex_stamp_;
-    std::vector<std::int32_t> vertex_index_; ///< into lifts_
+    std::vector<Moved> moved_; ///< per scan vertex
     std::vector<std::int32_t> scan_faces_;
-    std::vector<std::int32_t> scan_vertices_;
-    std::vector<Lift> lifts_;
+    std::vector<Lift> lifts_;        ///< of the places of the trial, in the same order
+    std::vector<WallPlanes> planes_; ///< of the new cells, over the displacements of the places on them
+    std::vector<unsigned> behind_;   ///< for each of the places, WallPlanes::behind()
     std::vector<std::pair<std::int32_t, Lift>> alternatives_;
 
     std::vector<FanOrder> orders_;
@@ -134,9 +142,8 @@ private:
     std::vector<TraceCrossing> crossings_;
     OddEdges odd_;
     std::vector<Pillar> inside_;
-    Fan fan_;
-    std::vector<int> beside_;                 ///< cells beside the patch
-    std::vector<std::uint32_t> beside_stamp_; ///< scan vertices on them that were tested
+    std::vector<int> beside_;      ///< cells beside the patch
+    std::vector<CellPlaces> here_; ///< the new cells that move
 };
 
 } // namespace foldless

@@ -57,6 +57,31 @@ double polished(const Cubic& cubic, double t) {
     return t;
 }
 
+/// Whether the slope is positive over the whole range, by its Bernstein coefficients.
+bool rises(const Cubic& cubic, const Cubic& error, double lo, double hi) {
+    const double reach = std::max(std::abs(lo), std::abs(hi));
+    const double slope_error = error.slope(reach);
+    const double middle = 3.0 * cubic.a * lo * hi + cubic.b * (lo + hi) + cubic.c;
+    return cubic.slope(lo) > slope_error && middle > slope_error && cubic.slope(hi) > slope_error;
+}
+
+/// The root that a rising cubic has between lo and hi: Newton's method, and the middle where that would leave them.
+double root_between(const Cubic& cubic, double lo, double hi, double guess) {
+    constexpr int most_steps = 100; // at worst it halves the range each time
+    const Cubic sizes{std::abs(cubic.a), std::abs(cubic.b), std::abs(cubic.c), std::abs(cubic.d)};
+    double t = guess;
+    for (int step = 0; step < most_steps; ++step) {
+        const double value = cubic.value(t);
+        if (std::abs(value) <= unit_roundoff * error_at(sizes, t)) {
+            break;
+        }
+        (value < 0.0 ? lo : hi) = t;
+        const double next = t - value / cubic.slope(t);
+        t = next > lo && next < hi ? next : 0.5 * (lo + hi);
+    }
+    return t;
+}
+
 /// The root farthest from the inflection point, on its own side of it. With t = x - b / 3a the cubic is
 /// x^3 - 3 m x + 2 h, and that root has the sign of -h: no cancellation in either form.
 double farthest_root(const Cubic& cubic) {
@@ -138,6 +163,23 @@ RealRoots real_roots(const Cubic& cubic, const Cubic& error) {
     } else {
         roots.everywhere = std::abs(cubic.d) <= error.d;
     }
+    return roots;
+}
+
+std::optional<RealRoots> rising_root(const Cubic& cubic, const Cubic& error, double lo, double hi) {
+    if (!rises(cubic, error, lo, hi)) {
+        return std::nullopt;
+    }
+    const double at_lo = cubic.value(lo);
+    const double at_hi = cubic.value(hi);
+    RealRoots roots;
+    if (at_lo > error_at(error, lo) || at_hi < -error_at(error, hi)) {
+        return roots;
+    }
+    if (!(at_lo < -error_at(error, lo) && at_hi > error_at(error, hi))) {
+        return std::nullopt;
+    }
+    add(roots, root_between(cubic, lo, hi, lo - at_lo * (hi - lo) / (at_hi - at_lo)));
     return roots;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace foldless {
 
@@ -47,5 +48,10 @@ struct RealRoots {
 
 /// The same for coefficients that are exact.
 [[nodiscard]] RealRoots real_roots(const Cubic& cubic);
+
+/// The roots in a range over which the cubic certainly rises, of which there is at most one; nothing if it
+/// may not rise everywhere, or may be zero at an end. Newton's method from where the chord of the range is zero, kept
+/// within the range. Far cheaper than all roots.
+[[nodiscard]] std::optional<RealRoots> rising_root(const Cubic& cubic, const Cubic& error, double lo, double hi);
 
 } // namespace foldless

@@ -178,6 +178,20 @@ double root_uncertainty(const Cubic& cubic, double t, double error) {
 
 } // namespace
 
+namespace {
+
+/// The roots in the range, and perhaps others.
+RealRoots roots_near(const Cubic& cubic, const Cubic& error, const Range& range) {
+    if (std::isfinite(range.lo) && std::isfinite(range.hi)) {
+        if (const std::optional<RealRoots> only = rising_root(cubic, error, range.lo, range.hi)) {
+            return *only;
+        }
+    }
+    return real_roots(cubic, error);
+}
+
+} // namespace
+
 Preimages InverseDisplacement::preimages(const Vec3& q) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     return preimages(q, {-infinity, infinity});
@@ -187,7 +201,7 @@ Preimages InverseDisplacement::preimages(const Vec3& q, const Range& range) cons
     const Vec3 p0 = relative(q);
     const Cubic cubic = cubic_of(p0);
     const Cubic error = error_of(p0);
-    const RealRoots roots = real_roots(cubic, error);
+    const RealRoots roots = roots_near(cubic, error, {range.lo / displacement_unit_, range.hi / displacement_unit_});
     Preimages result;
     bool infinite = roots.everywhere;
     for (const double t : roots) {

@@ -42,15 +42,9 @@ Roots quadratic_roots(double c0, double c1, double c2) {
 
 Wall::Wall(const BaseTriangle& triangle, int opposite)
     : v_i_(triangle.v[(opposite + 1) % 3]), v_j_(triangle.v[(opposite + 2) % 3]), d_i_(triangle.d[(opposite + 1) % 3]),
-      d_j_(triangle.d[(opposite + 2) % 3]) {
-    const Vec3 r = v_j_ - v_i_;
-    const Vec3 delta = d_j_ - d_i_;
-    w0_ = r.cross(d_i_);
-    w1_ = r.cross(delta);
-    w2_ = delta.cross(d_i_);
-    size_ = max_norm(r) * (max_norm(d_i_) + max_norm(delta));
-    spread_ = max_norm(delta) * max_norm(d_i_);
-}
+      d_j_(triangle.d[(opposite + 2) % 3]), r_(v_j_ - v_i_), delta_(d_j_ - d_i_), w0_(r_.cross(d_i_)),
+      w1_(r_.cross(delta_)), w2_(delta_.cross(d_i_)), d_i_size_(max_norm(d_i_)), r_size_(max_norm(r_)),
+      delta_size_(max_norm(delta_)), size_(r_size_ * (d_i_size_ + delta_size_)), spread_(delta_size_ * d_i_size_) {}
 
 Sign Wall::passes(const Vec3& e, Range range) const {
     const double p0 = e.dot(w0_);
@@ -83,48 +77,49 @@ Sign Wall::passes_at_corner(const Vec3& e, int lambda) const {
     return sign_within(value, 40 * unit_roundoff * sum_norm(e) * size_); // the bound of passes() at t = 0
 }
 
-/// side(t) = c0 + c1 t + c2 t^2 and a bound on the error of its values and Bernstein coefficients over |t| <= reach.
+/// side(t) = c0 + c1 t + c2 t^2.
 struct Wall::Side {
     double c0, c1, c2;
-    double error;
-    double slope_error;
 };
 
-Wall::Side Wall::side(const Vec3& a, const Vec3& e, double reach) const {
-    const Vec3 x = v_i_ - a;
-    const Vec3 y = v_j_ - a;
-    const double size_x = max_norm(x) + reach * max_norm(d_i_);
-    const double size_y = max_norm(y) + reach * max_norm(d_j_);
-    // As in passes(): at most 20 roundings of the sizes of the factors, in each of the few terms.
-    const double unit = 20 * unit_roundoff * sum_norm(e) * 2;
-    return {e.dot(x.cross(y)), e.dot(x.cross(d_j_) + d_i_.cross(y)), e.dot(d_i_.cross(d_j_)), unit * size_x * size_y,
-            unit * 2 * (max_norm(d_i_) * size_y + max_norm(d_j_) * size_x)};
+Wall::Side Wall::side(const Vec3& a, const Vec3& e) const {
+    // e.((x + t d_i) x (r + t delta)) with x = v_i - a.
+    const Vec3 m = e.cross(v_i_ - a);
+    return {m.dot(r_), m.dot(delta_) - e.dot(w0_), -e.dot(w2_)};
 }
 
+// As in passes(): each of the two bounds below is 20 roundings of the sizes of the factors, for each of the few terms.
+
 bool Wall::misses(const Vec3& a, const Vec3& e, Range range) const {
-    const Side s = side(a, e, std::max(std::abs(range.lo), std::abs(range.hi)));
+    const Side s = side(a, e);
+    const double reach = std::max(std::abs(range.lo), std::abs(range.hi));
+    const double error = 20 * unit_roundoff * sum_norm(e) * 2 * (max_norm(v_i_ - a) + reach * d_i_size_) *
+                         (r_size_ + reach * delta_size_);
     const double b0 = s.c0 + range.lo * (s.c1 + range.lo * s.c2);
     const double b2 = s.c0 + range.hi * (s.c1 + range.hi * s.c2);
     const double b1 = s.c0 + 0.5 * (range.lo + range.hi) * s.c1 + range.lo * range.hi * s.c2;
-    return std::min({b0, b1, b2}) > s.error || std::max({b0, b1, b2}) < -s.error;
+    return std::min({b0, b1, b2}) > error || std::max({b0, b1, b2}) < -error;
 }
 
 bool Wall::meets_once_at_most(const Vec3& a, const Vec3& e, Range range) const {
-    const Side s = side(a, e, std::max(std::abs(range.lo), std::abs(range.hi)));
+    const Side s = side(a, e);
+    const double reach = std::max(std::abs(range.lo), std::abs(range.hi));
+    const double error =
+        20 * unit_roundoff * sum_norm(e) * 4 *
+        (d_i_size_ * (r_size_ + reach * delta_size_) + (max_norm(v_i_ - a) + reach * d_i_size_) * delta_size_);
     const double at_lo = s.c1 + 2 * range.lo * s.c2;
     const double at_hi = s.c1 + 2 * range.hi * s.c2;
-    return std::min(at_lo, at_hi) > s.slope_error || std::max(at_lo, at_hi) < -s.slope_error;
+    return std::min(at_lo, at_hi) > error || std::max(at_lo, at_hi) < -error;
 }
 
 bool Wall::met_only_at_corner(const Vec3& e, int lambda, Range range) const {
     // With q = v_i: a_i - q = t d_i and a_j - q = r + t d_j; with q = v_j: -r + t d_i and t d_j.
-    const Vec3 r = v_j_ - v_i_;
-    const double linear = lambda == 0 ? e.dot(d_i_.cross(r)) : -e.dot(r.cross(d_j_));
-    const double quadratic = e.dot(d_i_.cross(d_j_));
+    const double linear = lambda == 0 ? -e.dot(w0_) : -e.dot(r_.cross(d_j_));
+    const double quadratic = -e.dot(w2_); // d_i x d_j = d_i x delta
     const double reach = std::max(std::abs(range.lo), std::abs(range.hi));
     // As in passes(): at most 20 roundings of the sizes of the factors.
-    const double d_size = max_norm(d_i_) + max_norm(d_j_);
-    const double error = 20 * unit_roundoff * sum_norm(e) * 2 * d_size * (max_norm(r) + reach * d_size);
+    const double d_size = d_i_size_ + max_norm(d_j_);
+    const double error = 20 * unit_roundoff * sum_norm(e) * 2 * d_size * (r_size_ + reach * d_size);
     const double at_lo = linear + range.lo * quadratic;
     const double at_hi = linear + range.hi * quadratic;
     return std::min(at_lo, at_hi) > error || std::max(at_lo, at_hi) < -error;
@@ -132,7 +127,7 @@ bool Wall::met_only_at_corner(const Vec3& e, int lambda, Range range) const {
 
 Wall::Crossings Wall::crossings(const Vec3& a, const Vec3& e, const Wanted& wanted) const {
     // side(t) vanishes where the line meets the line of the slice of the wall.
-    const Side polynomial = side(a, e, 0.0);
+    const Side polynomial = side(a, e);
     const Roots roots = quadratic_roots(polynomial.c0, polynomial.c1, polynomial.c2);
     Crossings result;
     for (int k = 0; k < roots.count; ++k) {
@@ -151,18 +146,22 @@ std::optional<Wall::Crossing> Wall::crossing_at(const Vec3& a, const Vec3& e, do
     const auto outside = [](double value, double lo, double hi, double margin) {
         return value < lo - margin || value > hi + margin;
     };
-    const double t_unit = max_norm(v_j_ - v_i_) / (max_norm(d_i_) + max_norm(d_j_)); // as far as the wall is wide
+    const double t_unit = r_size_ / (d_i_size_ + delta_size_); // as far as the wall is wide
     if (outside(t, wanted.range.lo, wanted.range.hi, slack * (std::abs(t) + t_unit))) {
         return std::nullopt;
     }
-    // In the slice: a + s e = a_i + lambda (a_j - a_i), solved where the cross product with e is largest.
-    const Vec3 r = (v_j_ - v_i_) + t * (d_j_ - d_i_);
+    // In the slice: a + s e = a_i + lambda (a_j - a_i), solved in the projection in which it is best determined.
+    const Vec3 r = r_ + t * delta_;
     const Vec3 start = (v_i_ - a) + t * d_i_;
     const Vec3 n = r.cross(e);
-    const double nn = n.squaredNorm();
-    const double s = -start.cross(r).dot(n) / nn;
-    const double lambda = -start.cross(e).dot(n) / nn;
-    if (!(nn > 0) || outside(s, 0, 1, slack) || outside(lambda, 0, 1, slack)) {
+    int axis = 0;
+    n.cwiseAbs().maxCoeff(&axis);
+    const auto area = [x = (axis + 1) % 3, y = (axis + 2) % 3](const Vec3& u, const Vec3& v) {
+        return u[x] * v[y] - u[y] * v[x];
+    };
+    const double s = -area(start, r) / n[axis];
+    const double lambda = -area(start, e) / n[axis];
+    if (n[axis] == 0 || outside(s, 0, 1, slack) || outside(lambda, 0, 1, slack)) {
         return std::nullopt;
     }
     if (wanted.outwards_only && passes_at(e, {s, lambda, t, slack, slack * std::abs(t)}) == Sign::negative) {

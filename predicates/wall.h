@@ -76,10 +76,12 @@ private:
     struct Side;
     [[nodiscard]] std::optional<Crossing> crossing_at(const Vec3& a, const Vec3& e, double t,
                                                       const Wanted& wanted) const;
-    [[nodiscard]] Side side(const Vec3& a, const Vec3& e, double reach) const;
+    [[nodiscard]] Side side(const Vec3& a, const Vec3& e) const;
 
     Vec3 v_i_, v_j_, d_i_, d_j_;
-    Vec3 w0_, w1_, w2_; ///< the normal is w0 + lambda w1 + t w2
+    Vec3 r_, delta_;                        ///< v_j - v_i and d_j - d_i
+    Vec3 w0_, w1_, w2_;                     ///< the normal is w0 + lambda w1 + t w2
+    double d_i_size_, r_size_, delta_size_; ///< largest components
     double size_, spread_;
 };
 

@@ -4,6 +4,7 @@
 #include <foldless/decimate/fan_order.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace foldless {
@@ -15,15 +16,15 @@ using test::World;
 
 /// The fan of a kept vertex with a patch in place.
 struct Sorted {
+    std::unique_ptr<PatchedSurface> surface; ///< holds the fan
     Verdict verdict;
     FanOrder order;
 };
 
 Sorted sort(World& world, const Patch& patch, std::int32_t v) {
-    PatchedSurface surface(world.base());
-    surface.reset(patch, false);
-    Sorted sorted{};
-    sorted.verdict = sorted.order.reset(v, surface, world.scan(), world.topology());
+    Sorted sorted{std::make_unique<PatchedSurface>(world.base()), {}, {}};
+    sorted.surface->reset(patch, false);
+    sorted.verdict = sorted.order.reset(v, *sorted.surface, world.scan(), world.topology());
     return sorted;
 }
 
@@ -35,7 +36,7 @@ Sorted sort_flattened(const Vec3& top, std::int32_t v) {
 }
 
 TEST(FanOrder, CountsHalfStepsFromBaseEdgeToBaseEdge) {
-    const auto [verdict, order] = sort_flattened({0.4, 0.7, 0.3}, 0);
+    const auto [surface, verdict, order] = sort_flattened({0.4, 0.7, 0.3}, 0);
     ASSERT_EQ(verdict, Verdict::accepted);
     EXPECT_EQ(order.vertex(), 0);
     EXPECT_EQ(order.position(1), 0);
@@ -49,7 +50,7 @@ TEST(FanOrder, CountsHalfStepsFromBaseEdgeToBaseEdge) {
 }
 
 TEST(FanOrder, PutsTheEdgeOnTheOtherSideOfTheDiagonal) {
-    const auto [verdict, order] = sort_flattened({0.7, 0.4, 0.3}, 0);
+    const auto [surface, verdict, order] = sort_flattened({0.7, 0.4, 0.3}, 0);
     ASSERT_EQ(verdict, Verdict::accepted);
     EXPECT_EQ(order.position(4), 1);
     EXPECT_EQ(order.start_cell(4), 0);
@@ -118,7 +119,7 @@ TEST(FanOrder, AcceptsAStarThatGoesRoundOnce) {
     World world(spindle(5, 1));
     world.base().vertex(1).direction = -Vec3::UnitZ();
     for (const std::int32_t pole : {0, 1}) {
-        const auto [verdict, order] = sort(world, bipyramid(world, 4), pole);
+        const auto [surface, verdict, order] = sort(world, bipyramid(world, 4), pole);
         EXPECT_EQ(verdict, Verdict::accepted);
         EXPECT_TRUE(order.fan().closed);
         EXPECT_EQ(order.steps(order.position(3), order.position(2)) + order.steps(order.position(2), order.position(3)),

@@ -94,12 +94,11 @@ TEST_F(PatchInTheMiddle, SharesEveryEdgeWithTheNeighbourAcross) {
 }
 
 TEST_F(PatchInTheMiddle, GoesAroundVerticesAcrossTheRim) {
-    Fan fan;
     for (std::int32_t v = 0; v < 16; ++v) {
         if (v == 5) {
             continue;
         }
-        surface_.fan(v, fan);
+        const Fan& fan = surface_.fan(v);
         EXPECT_EQ(fan.closed, !world_.base().is_border_vertex(v)) << v;
         EXPECT_EQ(fan.spokes.size(), fan.cells.size() + (fan.closed ? 0 : 1)) << v;
         for (std::size_t n = 0; n < fan.cells.size(); ++n) {

@@ -124,10 +124,8 @@ TEST(PillarFlood, FloodsThroughEdgesThatAreNotOdd) {
     // Around vertices 11 and 12, at (0.25, 0.5) and (0.5, 0.5).
     const ScanTriangle triangle{Vec3(0.1875, 0.45, 0.25), Vec3(0.6875, 0.45, 0.25), Vec3(0.3125, 0.6875, 0.25)};
     OddEdges odd;
-    Fan fan;
     for (const std::int32_t v : {11, 12}) {
-        surface.fan(v, fan);
-        for (const std::int32_t spoke : fan.spokes) {
+        for (const std::int32_t spoke : surface.fan(v).spokes) {
             odd.toggle(v, spoke); // the edge between the two is met twice, hence even
         }
     }

@@ -2,7 +2,7 @@
 /// A scan with its base mesh and a validator, for patches made by hand.
 #pragma once
 
-#include <foldless/decimate/collapse.h>
+#include <foldless/decimate/commit.h>
 #include <foldless/decimate/validator.h>
 
 #include <gtest/gtest.h>
@@ -70,24 +70,7 @@ public:
 
     /// Carries out the collapse whose patch was judged last, and accepted.
     void commit_collapse(std::int32_t gone, std::int32_t stays, const Patch& patch) {
-        base_.connectivity().collapse(collapse(gone, stays).halfedge);
-        for (const PatchVertex& changed : patch.changed) {
-            base_.vertex(changed.index) = changed.value;
-        }
-        for (std::size_t n = 0; n < patch.added.size(); ++n) {
-            const Trial::NewFace& face = trial_.faces[n];
-            base_.face(patch.added[n].slot) = {face.range, face.scan_faces, face.is_scan_face};
-        }
-        for (const Trial::NewPlace& place : trial_.places) {
-            const PatchFace& face = patch.added[place.face];
-            Place& stored = base_.place(place.scan_vertex);
-            stored = {face.slot, -1, Vec3::Zero(), place.t};
-            const Triangle corners = base_.corners(face.slot); // perhaps turned by the collapse
-            for (int k = 0; k < 3; ++k) {
-                const auto at = std::find(face.corners.begin(), face.corners.end(), corners[k]);
-                stored.alpha[k] = place.alpha[at - face.corners.begin()];
-            }
-        }
+        foldless::commit_collapse(base_, collapse(gone, stays), patch, trial_);
     }
 
     /// Every face of the scan.
