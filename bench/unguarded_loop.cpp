@@ -1,7 +1,7 @@
 #include <foldless/bench/unguarded_loop.h>
 
 #include <foldless/decimate/collapse.h>
-#include <foldless/decimate/edge_queue.h>
+#include <foldless/decimate/edge_order.h>
 #include <foldless/decimate/placement.h>
 #include <foldless/decimate/quadric.h>
 #include <foldless/io/defects.h>
@@ -22,11 +22,9 @@ public:
 
 private:
     void lock_border();
-    void add_quadrics();
     [[nodiscard]] bool ask(std::int32_t edge);
     [[nodiscard]] Verdict ask_candidate(const Collapse& collapse, const Candidate& candidate);
     void commit();
-    [[nodiscard]] double squared_length(std::int32_t edge) const;
 
     const Scan* scan_;
     const DecimateOptions* options_;
@@ -45,16 +43,12 @@ private:
 
 UnguardedLoop::UnguardedLoop(const Scan& scan, const DecimateOptions& options)
     : scan_(&scan), options_(&options), base_(scan), mobility_(scan.positions.size(), Mobility::free),
-      quadrics_(scan.positions.size()), queue_(base_.connectivity().n_edges()) {
+      quadrics_(vertex_quadrics(scan, scan.positions[scan.faces[0][0]])), queue_(base_.connectivity().n_edges()) {
     result_.faces = scan.faces.size();
     if (options.boundary == Boundary::lock) {
         lock_border();
     }
-    add_quadrics();
-    const auto edges = static_cast<std::int32_t>(base_.connectivity().n_edges());
-    for (std::int32_t edge = 0; edge < edges; ++edge) {
-        queue_.push(edge, squared_length(edge));
-    }
+    enter_all_edges(base_, queue_);
 }
 
 void UnguardedLoop::lock_border() {
@@ -63,28 +57,6 @@ void UnguardedLoop::lock_border() {
             mobility_[v] = Mobility::fixed;
         }
     }
-}
-
-void UnguardedLoop::add_quadrics() {
-    const Vec3& origin = scan_->positions[scan_->faces[0][0]];
-    for (const Triangle& face : scan_->faces) {
-        const Vec3& p = scan_->positions[face[0]];
-        const Vec3 normal = (scan_->positions[face[1]] - p).cross(scan_->positions[face[2]] - p);
-        // Distance to the plane, squared, times the area.
-        const double length = normal.norm();
-        const Vec3 weighted = length > 0 ? Vec3(normal / std::sqrt(length)) : Vec3(Vec3::Zero());
-        for (const std::int32_t v : face) {
-            quadrics_[v].add_plane(p - origin, weighted);
-        }
-    }
-}
-
-double UnguardedLoop::squared_length(std::int32_t edge) const {
-    const Connectivity& mesh = base_.connectivity();
-    const auto h = mesh.halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
-    return (base_.vertex(mesh.to_vertex_handle(h).idx()).position -
-            base_.vertex(mesh.from_vertex_handle(h).idx()).position)
-        .squaredNorm();
 }
 
 void UnguardedLoop::run() {
@@ -112,8 +84,10 @@ bool UnguardedLoop::ask(std::int32_t edge) {
     quadric += quadrics_[collapse.stays];
     const bool keeps_place = mobility_[collapse.stays] == Mobility::fixed ||
                              (base_.is_border_vertex(collapse.stays) && !base_.is_border_vertex(collapse.gone));
-    candidates({&base_, collapse, quadric, scan_->positions[scan_->faces[0][0]], keeps_place, scan_->float32},
-               options_->placement, candidates_);
+    // Without a validator nothing is saved by an end that keeps its direction: least error first.
+    const Vec3& origin = scan_->positions[scan_->faces[0][0]];
+    candidates({&base_, collapse, quadric, origin, keeps_place, scan_->float32, false, 0.0}, options_->placement,
+               candidates_);
     for (const Candidate& candidate : candidates_) {
         const bool ends_exchanged = candidate.at == collapse.gone;
         if (ask_candidate(ends_exchanged ? reversed(base_, collapse) : collapse, candidate) == Verdict::accepted) {
@@ -125,7 +99,7 @@ bool UnguardedLoop::ask(std::int32_t edge) {
 
 Verdict UnguardedLoop::ask_candidate(const Collapse& collapse, const Candidate& candidate) {
     collapse_ = collapse;
-    fill_faces(base_, collapse, false, patch_);
+    fill_faces(base_, collapse, Extent::both_stars, patch_);
     BaseVertex survivor = base_.vertex(collapse.stays);
     survivor.position = candidate.position;
     patch_.changed.push_back({collapse.stays, survivor});
@@ -133,29 +107,12 @@ Verdict UnguardedLoop::ask_candidate(const Collapse& collapse, const Candidate& 
 }
 
 void UnguardedLoop::commit() {
-    Connectivity& mesh = base_.connectivity();
-    edges_.clear();
-    for (const std::int32_t v : {collapse_.gone, collapse_.stays}) {
-        for (const auto edge : mesh.ve_range(OpenMesh::VertexHandle(v))) {
-            edges_.push_back(edge.idx());
-        }
-    }
-    mesh.collapse(collapse_.halfedge);
+    edges_changed_by(base_, collapse_, Extent::both_stars, edges_);
+    base_.connectivity().collapse(collapse_.halfedge);
     quadrics_[collapse_.stays] += quadrics_[collapse_.gone];
     base_.vertex(collapse_.stays) = patch_.changed[0].value;
     result_.faces -= patch_.removed.size() - patch_.added.size();
-    for (const std::int32_t edge : edges_) {
-        if (mesh.status(OpenMesh::EdgeHandle(edge)).deleted()) {
-            queue_.erase(edge);
-        } else {
-            queue_.push(edge, squared_length(edge));
-        }
-    }
-    for (const auto neighbour : mesh.vv_range(OpenMesh::VertexHandle(collapse_.stays))) {
-        for (const auto edge : mesh.ve_range(neighbour)) {
-            queue_.wake(edge.idx());
-        }
-    }
+    requeue(base_, collapse_.stays, edges_, queue_);
 }
 
 } // namespace

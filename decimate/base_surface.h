@@ -74,6 +74,9 @@ public:
     [[nodiscard]] std::int32_t any_face_around(std::int32_t v) const;
     [[nodiscard]] bool is_border_vertex(std::int32_t v) const;
 
+    /// Turns the corners of a face so that v comes first.
+    void turn(std::int32_t f, std::int32_t v);
+
     [[nodiscard]] std::size_t face_slots() const { return faces_.size(); }
     [[nodiscard]] std::size_t vertex_slots() const { return vertices_.size(); }
 

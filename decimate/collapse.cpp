@@ -56,7 +56,7 @@ Verdict make_collapse(BaseSurface& base, std::int32_t edge, std::span<const Mobi
                                                                             : Verdict::link_condition;
 }
 
-void fill_faces(const BaseSurface& base, const Collapse& collapse, bool two_rings, Patch& patch) {
+void fill_faces(const BaseSurface& base, const Collapse& collapse, Extent extent, Patch& patch) {
     patch.clear();
     std::vector<std::int32_t> faces;
     const auto take = [&](std::int32_t v) {
@@ -64,8 +64,10 @@ void fill_faces(const BaseSurface& base, const Collapse& collapse, bool two_ring
         patch.removed.insert(patch.removed.end(), faces.begin(), faces.end());
     };
     take(collapse.gone);
-    take(collapse.stays);
-    if (two_rings) {
+    if (extent != Extent::star_of_gone) {
+        take(collapse.stays);
+    }
+    if (extent == Extent::two_rings) {
         std::vector<std::int32_t> rim;
         rim_of(base, collapse, rim);
         std::for_each(rim.begin(), rim.end(), take);

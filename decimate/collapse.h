@@ -36,9 +36,15 @@ enum class Mobility : unsigned char { free, fixed };
 /// The same collapse with the ends exchanged.
 [[nodiscard]] Collapse reversed(const BaseSurface& base, const Collapse& collapse);
 
-/// Fills the faces of the patch: the stars of both ends. With `two_rings` also the faces around the vertices of the
-/// rim, whose directions then change.
-void fill_faces(const BaseSurface& base, const Collapse& collapse, bool two_rings, Patch& patch);
+/// How far a collapse changes the base mesh.
+enum class Extent {
+    star_of_gone, ///< the vertex that stays keeps its place and its direction
+    both_stars,   ///< it moves or turns
+    two_rings,    ///< so do the directions of its neighbours
+};
+
+/// Fills the faces of the patch: the stars of one or both ends, or also the faces around the vertices of the rim.
+void fill_faces(const BaseSurface& base, const Collapse& collapse, Extent extent, Patch& patch);
 
 /// Base vertices on the rim of the two stars, in ascending order.
 void rim_of(const BaseSurface& base, const Collapse& collapse, std::vector<std::int32_t>& out);

@@ -1,6 +1,7 @@
 #include <foldless/decimate/decimator.h>
 
 #include <foldless/decimate/commit.h>
+#include <foldless/decimate/edge_order.h>
 #include <foldless/decimate/vertex_directions.h>
 #include <foldless/decimate/visible_direction.h>
 
@@ -16,10 +17,21 @@ namespace {
 /// Edges asked between two looks at the clock and two calls of the user's progress function.
 constexpr std::size_t check_interval = 64;
 
-Vec3 unit_normal(const Scan& scan, std::int32_t f) {
-    const Triangle& face = scan.faces[f];
-    const Vec3& p = scan.positions[face[0]];
-    return (scan.positions[face[1]] - p).cross(scan.positions[face[2]] - p).normalized();
+/// The mean squared distance, in squared diagonals, up to which an end of an edge is a good place for the vertex that
+/// is left: a thousandth of the diagonal. Measured on bunny and horse: the displacements are as small as without it (5
+/// % of the root mean square at the same number of faces), in 60 % of the time.
+constexpr double good_enough = 1e-6;
+
+double squared_diagonal(const Scan& scan) {
+    Vec3 low = scan.positions[scan.faces[0][0]];
+    Vec3 high = low;
+    for (const Triangle& face : scan.faces) {
+        for (const std::int32_t v : face) {
+            low = low.cwiseMin(scan.positions[v]);
+            high = high.cwiseMax(scan.positions[v]);
+        }
+    }
+    return (high - low).squaredNorm();
 }
 
 /// The corners of a face, turned so that v comes first.
@@ -36,22 +48,13 @@ ValidatorOptions validator_options(const DecimateOptions& options) {
 } // namespace
 
 Decimator::Decimator(const Scan& scan, const DecimateOptions& options)
-    : scan_(&scan), options_(options), topology_(scan), base_(scan), mobility_(scan.positions.size(), Mobility::free),
-      quadrics_(scan.positions.size()), queue_(base_.connectivity().n_edges()),
+    : scan_(&scan), options_(options), topology_(scan), base_(scan), origin_(scan.positions[scan.faces[0][0]]),
+      good_enough_(good_enough * squared_diagonal(scan)), mobility_(scan.positions.size(), Mobility::free),
+      quadrics_(vertex_quadrics(scan, origin_)), queue_(base_.connectivity().n_edges()),
       validator_(base_, scan, topology_, validator_options(options)), face_count_(scan.faces.size()),
       start_(std::chrono::steady_clock::now()) {
     find_directions();
-    for (const Triangle& face : scan.faces) {
-        const Vec3& p = scan.positions[face[0]];
-        const Vec3 normal = (scan.positions[face[1]] - p).cross(scan.positions[face[2]] - p);
-        // Distance to the plane, squared, times the area.
-        const double length = normal.norm();
-        const Vec3 weighted = length > 0 ? Vec3(normal / std::sqrt(length)) : Vec3(Vec3::Zero());
-        for (const std::int32_t v : face) {
-            quadrics_[v].add_plane(p - scan.positions[scan.faces[0][0]], weighted);
-        }
-    }
-    fill_queue();
+    enter_all_edges(base_, queue_);
 }
 
 void Decimator::find_directions() {
@@ -66,7 +69,7 @@ void Decimator::find_directions() {
             star.clear();
             for (const std::int32_t f : topology_.faces_around(v)) {
                 const Triangle& face = scan_->faces[f];
-                normals.push_back(unit_normal(*scan_, f));
+                normals.push_back(validator_.scan_normal(f).value());
                 star.push_back(from_corner(
                     face, {scan_->positions[face[0]], scan_->positions[face[1]], scan_->positions[face[2]]}, v));
             }
@@ -97,20 +100,6 @@ void Decimator::freeze_unserved(const std::vector<char>& unserved) {
                 mobility_[corner] = Mobility::fixed;
             }
         }
-    }
-}
-
-double Decimator::squared_length(std::int32_t edge) const {
-    const auto h = base_.connectivity().halfedge_handle(OpenMesh::EdgeHandle(edge), 0);
-    return (base_.vertex(base_.connectivity().to_vertex_handle(h).idx()).position -
-            base_.vertex(base_.connectivity().from_vertex_handle(h).idx()).position)
-        .squaredNorm();
-}
-
-void Decimator::fill_queue() {
-    const auto count = static_cast<std::int32_t>(base_.connectivity().n_edges());
-    for (std::int32_t edge = 0; edge < count; ++edge) {
-        queue_.push(edge, squared_length(edge));
     }
 }
 
@@ -160,7 +149,8 @@ bool Decimator::ask(std::int32_t edge) {
     quadric += quadrics_[collapse.stays];
     const bool keeps_place = mobility_[collapse.stays] == Mobility::fixed ||
                              (base_.is_border_vertex(collapse.stays) && !base_.is_border_vertex(collapse.gone));
-    candidates({&base_, collapse, quadric, scan_->positions[scan_->faces[0][0]], keeps_place, scan_->float32},
+    const bool keep_direction = options_.store_directions && options_.directions != Directions::face;
+    candidates({&base_, collapse, quadric, origin_, keeps_place, scan_->float32, keep_direction, good_enough_},
                options_.placement, candidates_);
     for (const Candidate& candidate : candidates_) {
         verdict = ask_candidate(candidate.at == collapse.gone ? reversed(base_, collapse) : collapse, candidate);
@@ -172,21 +162,31 @@ bool Decimator::ask(std::int32_t edge) {
     return false;
 }
 
+Extent Decimator::extent_of(const Candidate& candidate) const {
+    if (candidate.keeps_direction) {
+        return Extent::star_of_gone;
+    }
+    return options_.store_directions ? Extent::both_stars : Extent::two_rings;
+}
+
 Verdict Decimator::ask_candidate(const Collapse& collapse, const Candidate& candidate) {
     collapse_ = collapse;
-    fill_faces(base_, collapse, !options_.store_directions, patch_);
-    BaseVertex survivor = base_.vertex(collapse.stays);
-    survivor.position = candidate.position;
-    survivor.scan_vertex = candidate.at == collapse.stays ? survivor.scan_vertex : -1;
-    patch_.changed.push_back({collapse.stays, survivor});
+    extent_ = extent_of(candidate);
+    fill_faces(base_, collapse, extent_, patch_);
     BaseVertex gone = base_.vertex(collapse.gone);
     gone.scan_vertex = -1;
     patch_.changed.push_back({collapse.gone, gone});
+    if (!candidate.keeps_direction) {
+        BaseVertex survivor = base_.vertex(collapse.stays);
+        survivor.position = candidate.position;
+        survivor.scan_vertex = candidate.at == collapse.stays ? survivor.scan_vertex : -1;
+        patch_.changed.push_back({collapse.stays, survivor});
+    }
     const Verdict verdict = guard_faces(base_, patch_);
     if (verdict != Verdict::accepted) {
         return verdict;
     }
-    if (options_.directions != Directions::face && !set_directions(collapse)) {
+    if (!candidate.keeps_direction && options_.directions != Directions::face && !set_directions(collapse)) {
         return Verdict::direction;
     }
     const Verdict judged = validator_.judge(patch_);
@@ -199,7 +199,7 @@ bool Decimator::set_directions(const Collapse& collapse) {
     if (!survivor) {
         return false;
     }
-    patch_.changed[0].value.direction = *survivor;
+    patch_.changed[1].value.direction = *survivor;
     if (options_.store_directions) {
         return true;
     }
@@ -232,7 +232,7 @@ std::optional<Vec3> Decimator::direction_of(std::int32_t v) {
             std::array<Vec3, 3> positions;
             for (int k = 0; k < 3; ++k) {
                 const bool moved = face.corners[k] == collapse_.stays;
-                positions[k] = moved ? patch_.changed[0].value.position : base_.vertex(face.corners[k]).position;
+                positions[k] = moved ? patch_.changed[1].value.position : base_.vertex(face.corners[k]).position;
             }
             star_.push_back(from_corner(face.corners, positions, v));
         }
@@ -255,44 +255,26 @@ std::optional<Vec3> Decimator::visible_direction_of(std::int32_t v) {
     }
     normals_.clear();
     for (const std::int32_t f : validator_.gather(star)) {
-        normals_.push_back(unit_normal(*scan_, f));
+        normals_.push_back(validator_.scan_normal(f).value());
     }
     return most_visible_direction(normals_);
 }
 
 bool Decimator::is_frozen(std::int32_t face) const {
+    if (!base_.face(face).is_scan_face) {
+        return false;
+    }
     const Triangle corners = base_.corners(face);
-    return base_.face(face).is_scan_face &&
-           std::all_of(corners.begin(), corners.end(), [&](std::int32_t v) { return mobility_[v] == Mobility::fixed; });
+    return std::all_of(corners.begin(), corners.end(), [&](std::int32_t v) { return mobility_[v] == Mobility::fixed; });
 }
 
 void Decimator::commit() {
     std::vector<std::int32_t> edges;
-    for (const std::int32_t v : {collapse_.gone, collapse_.stays}) {
-        for (const auto edge : base_.connectivity().ve_range(OpenMesh::VertexHandle(v))) {
-            edges.push_back(edge.idx());
-        }
-    }
+    edges_changed_by(base_, collapse_, extent_, edges);
     commit_collapse(base_, collapse_, patch_, validator_.trial());
     quadrics_[collapse_.stays] += quadrics_[collapse_.gone];
     face_count_ -= patch_.removed.size() - patch_.added.size();
-    update_queue(edges);
-}
-
-void Decimator::update_queue(const std::vector<std::int32_t>& edges_before) {
-    const Connectivity& mesh = base_.connectivity();
-    for (const std::int32_t edge : edges_before) {
-        if (mesh.status(OpenMesh::EdgeHandle(edge)).deleted()) {
-            queue_.erase(edge);
-        } else {
-            queue_.push(edge, squared_length(edge));
-        }
-    }
-    for (const auto neighbour : mesh.vv_range(OpenMesh::VertexHandle(collapse_.stays))) {
-        for (const auto edge : mesh.ve_range(neighbour)) {
-            queue_.wake(edge.idx());
-        }
-    }
+    requeue(base_, collapse_.stays, edges, queue_);
 }
 
 } // namespace foldless

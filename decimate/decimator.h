@@ -34,23 +34,23 @@ public:
 private:
     void find_directions();
     void freeze_unserved(const std::vector<char>& unserved);
-    void fill_queue();
 
     [[nodiscard]] bool ask(std::int32_t edge);
+    [[nodiscard]] Extent extent_of(const Candidate& candidate) const;
     [[nodiscard]] Verdict ask_candidate(const Collapse& collapse, const Candidate& candidate);
     [[nodiscard]] bool set_directions(const Collapse& collapse);
     [[nodiscard]] std::optional<Vec3> direction_of(std::int32_t v);
     [[nodiscard]] std::optional<Vec3> visible_direction_of(std::int32_t v);
     [[nodiscard]] bool is_frozen(std::int32_t face) const;
     void commit();
-    void update_queue(const std::vector<std::int32_t>& edges_before);
     [[nodiscard]] std::optional<StopReason> interrupted();
-    [[nodiscard]] double squared_length(std::int32_t edge) const;
 
     const Scan* scan_;
     DecimateOptions options_;
     ScanTopology topology_;
     BaseSurface base_;
+    Vec3 origin_;        ///< of the quadrics
+    double good_enough_; ///< squared distance
     std::vector<Mobility> mobility_;
     std::vector<Quadric> quadrics_;
     EdgeQueue queue_;
@@ -62,6 +62,7 @@ private:
 
     // The collapse under question; valid for commit() once ask() has said yes.
     Collapse collapse_;
+    Extent extent_ = Extent::both_stars;
     Patch patch_;
     std::vector<Candidate> candidates_;
     std::vector<std::int32_t> rim_;

@@ -14,12 +14,12 @@ Vec3 stored_position(const Vec3& position, bool float32) {
 
 void add_moved(const PlacementContext& context, const Vec3& position, std::vector<Candidate>& out) {
     const Vec3 stored = stored_position(position, context.float32);
-    out.push_back({stored, -1, context.quadric(stored - context.origin)});
+    out.push_back({stored, -1, context.quadric(stored - context.origin), false});
 }
 
-void add_end(const PlacementContext& context, std::int32_t v, std::vector<Candidate>& out) {
+void add_end(const PlacementContext& context, std::int32_t v, bool keeps_direction, std::vector<Candidate>& out) {
     const Vec3& position = context.base->vertex(v).position;
-    out.push_back({position, v, context.quadric(position - context.origin)});
+    out.push_back({position, v, context.quadric(position - context.origin), keeps_direction});
 }
 
 /// The minimiser, if it is well determined and not further from the edge than the edge is long.
@@ -120,7 +120,10 @@ void candidates(const PlacementContext& context, Placement placement, std::vecto
     out.clear();
     const Collapse& collapse = context.collapse;
     if (context.stays_is_fixed) {
-        add_end(context, collapse.stays, out);
+        if (context.keep_direction) {
+            add_end(context, collapse.stays, true, out);
+        }
+        add_end(context, collapse.stays, false, out);
         return;
     }
     if (context.base->connectivity().is_boundary(context.base->connectivity().edge_handle(collapse.halfedge))) {
@@ -136,8 +139,12 @@ void candidates(const PlacementContext& context, Placement placement, std::vecto
         add_moved(context, minimiser.value_or(midpoint), out);
         return;
     }
-    add_end(context, collapse.stays, out);
-    add_end(context, collapse.gone, out);
+    if (context.keep_direction) {
+        add_end(context, collapse.stays, true, out);
+        add_end(context, collapse.gone, true, out);
+    }
+    add_end(context, collapse.stays, false, out);
+    add_end(context, collapse.gone, false, out);
     if (placement == Placement::best) {
         add_moved(context, midpoint, out);
         if (minimiser) {
@@ -146,7 +153,11 @@ void candidates(const PlacementContext& context, Placement placement, std::vecto
     }
     // The covering point of a border edge stays first: the others leave part of the scan uncovered more often than not.
     const auto first = out.begin() + (out.front().at < 0 ? 1 : 0);
-    std::stable_sort(first, out.end(), [](const Candidate& a, const Candidate& b) { return a.error < b.error; });
+    const double good_enough = context.good_enough * context.quadric.weight();
+    const auto goes_first = [&](const Candidate& c) { return c.keeps_direction && c.error <= good_enough; };
+    std::stable_sort(first, out.end(), [&](const Candidate& a, const Candidate& b) {
+        return goes_first(a) != goes_first(b) ? goes_first(a) : a.error < b.error;
+    });
 }
 
 } // namespace foldless

@@ -15,6 +15,9 @@ struct Candidate {
     Vec3 position;
     std::int32_t at; ///< the base vertex whose place it is, or -1
     double error;    ///< of the quadric
+    /// The vertex at that place also keeps its displacement direction, so the faces around it stay as they are, but for
+    /// those around the other end.
+    bool keeps_direction;
 };
 
 /// What decides the candidates of one collapse.
@@ -25,9 +28,12 @@ struct PlacementContext {
     Vec3 origin;         ///< of the quadric
     bool stays_is_fixed; ///< the only candidate is then its place
     bool float32;        ///< positions are rounded to float32 values
+    bool keep_direction; ///< whether an end of the edge may keep its direction
+    double good_enough;  ///< mean squared distance up to which such an end goes before all else
 };
 
-/// Fills the candidates of the policy, in order of promise: least quadric error first.
+/// Fills the candidates of the policy, in order of promise: least quadric error first, but before that the ends that
+/// keep their direction where they are good enough, because they cost half as much to judge.
 void candidates(const PlacementContext& context, Placement placement, std::vector<Candidate>& out);
 
 } // namespace foldless

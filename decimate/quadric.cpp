@@ -2,6 +2,8 @@
 
 #include <Eigen/LU>
 
+#include <cmath>
+
 namespace foldless {
 namespace {
 
@@ -50,6 +52,20 @@ std::optional<Vec3> Quadric::minimiser() const {
         return std::nullopt;
     }
     return Vec3(a.inverse() * b_);
+}
+
+std::vector<Quadric> vertex_quadrics(const Scan& scan, const Vec3& origin) {
+    std::vector<Quadric> quadrics(scan.positions.size());
+    for (const Triangle& face : scan.faces) {
+        const Vec3& p = scan.positions[face[0]];
+        const Vec3 normal = (scan.positions[face[1]] - p).cross(scan.positions[face[2]] - p);
+        const double length = normal.norm();
+        const Vec3 weighted = length > 0 ? Vec3(normal / std::sqrt(length)) : Vec3(Vec3::Zero());
+        for (const std::int32_t v : face) {
+            quadrics[v].add_plane(p - origin, weighted);
+        }
+    }
+    return quadrics;
 }
 
 } // namespace foldless

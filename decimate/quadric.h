@@ -2,9 +2,11 @@
 /// Error quadrics: the sum of squared distances to a set of planes.
 #pragma once
 
+#include <foldless/io/scan.h>
 #include <foldless/predicates/vector.h>
 
 #include <optional>
+#include <vector>
 
 namespace foldless {
 
@@ -19,6 +21,9 @@ public:
     /// The error at x.
     [[nodiscard]] double operator()(const Vec3& x) const;
 
+    /// The sum of the weights: the error of a point that is one unit away from every plane.
+    [[nodiscard]] double weight() const { return xx_ + yy_ + zz_; }
+
     /// The point of least error, if it is well determined.
     [[nodiscard]] std::optional<Vec3> minimiser() const;
 
@@ -27,5 +32,8 @@ private:
     Vec3 b_ = Vec3::Zero();
     double c_ = 0;
 };
+
+/// For each scan vertex the planes of the faces around it, weighted by twice their areas, relative to `origin`.
+[[nodiscard]] std::vector<Quadric> vertex_quadrics(const Scan& scan, const Vec3& origin);
 
 } // namespace foldless

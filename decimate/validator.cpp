@@ -42,7 +42,12 @@ ScanTriangle triangle_of(const Scan& scan, std::int32_t f) {
 Validator::Validator(const BaseSurface& base, const Scan& scan, const ScanTopology& topology,
                      const ValidatorOptions& options)
     : base_(&base), scan_(&scan), topology_(&topology), options_(options), surface_(base),
-      face_stamp_(scan.faces.size(), 0), moved_(scan.positions.size()) {}
+      face_stamp_(scan.faces.size(), 0), moved_(scan.positions.size()) {
+    normals_.reserve(scan.faces.size());
+    for (std::size_t f = 0; f < scan.faces.size(); ++f) {
+        normals_.push_back(ScanNormal(triangle_of(scan, static_cast<std::int32_t>(f))).normalised());
+    }
+}
 
 const std::vector<std::int32_t>& Validator::gather(const std::vector<std::int32_t>& removed) {
     ++stamp_;
@@ -82,6 +87,7 @@ Verdict Validator::judge(const Patch& patch) {
     }
     if (verdict == Verdict::accepted) {
         find_wall_planes();
+        find_cone();
     }
     if (verdict == Verdict::accepted && !options_.constant_directions) {
         verdict = order_fans(patch);
@@ -164,6 +170,15 @@ void Validator::find_wall_planes() {
     }
 }
 
+void Validator::find_cone() {
+    directions_.clear();
+    for (int c = 0; c < surface_.new_cells(); ++c) {
+        const std::array<Vec3, 3>& d = surface_.cell(c).triangle.d;
+        directions_.insert(directions_.end(), d.begin(), d.end());
+    }
+    cone_ = DirectionCone(directions_);
+}
+
 Verdict Validator::order_fans(const Patch& patch) {
     orders_used_ = 0;
     for (std::size_t c = 0; c < patch.added.size(); ++c) {
@@ -208,10 +223,10 @@ const FanOrder* Validator::order_of(std::int32_t base_vertex) {
 
 bool Validator::corner(std::int32_t scan_vertex, Corner& out) {
     out.scan_vertex = scan_vertex;
-    const Moved& moved = moved_[scan_vertex];
-    if (moved.stamp == stamp_) {
-        const Lift& lift = lifts_[moved.lift];
-        const unsigned behind = behind_[moved.lift];
+    const std::int32_t n = moved(scan_vertex);
+    if (n >= 0) {
+        const Lift& lift = lifts_[n];
+        const unsigned behind = behind_[n];
         out = {scan_vertex, lift.cell, nullptr, lift.at.alpha, lift.at.t, lift.at.alpha_error, true, behind};
         return true;
     }
@@ -315,8 +330,43 @@ Verdict Validator::stays_in(int cell, const std::array<Corner, 3>& corners) cons
     return Verdict::accepted;
 }
 
+std::int32_t Validator::moved(std::int32_t scan_vertex) const {
+    const Moved& moved = moved_[scan_vertex];
+    return moved.stamp == stamp_ ? moved.lift : -1;
+}
+
+bool Validator::is_inside_one_cell(const std::array<std::int32_t, 3>& moved) const {
+    return moved[0] >= 0 && moved[1] >= 0 && moved[2] >= 0 && lifts_[moved[0]].cell == lifts_[moved[1]].cell &&
+           lifts_[moved[0]].cell == lifts_[moved[2]].cell &&
+           (behind_[moved[0]] & behind_[moved[1]] & behind_[moved[2]]) == WallPlanes::all;
+}
+
+Verdict Validator::test_inside(std::int32_t scan_face, const std::array<std::int32_t, 3>& moved) {
+    const int cell = lifts_[moved[0]].cell;
+    BarycentricTriangle alpha;
+    std::array<double, 3> error{};
+    for (int k = 0; k < 3; ++k) {
+        alpha[k] = lifts_[moved[k]].at.alpha;
+        error[k] = lifts_[moved[k]].at.alpha_error;
+    }
+    const ScanNormal& normal = normals_[scan_face];
+    for (int k = 0; !cone_.sees(normal) && k < 3; ++k) {
+        const Verdict verdict = verdict_of(normal_condition(surface_.cell(cell).triangle.d, alpha[k], error[k], normal),
+                                           Verdict::normal_condition);
+        if (verdict != Verdict::accepted) {
+            return verdict;
+        }
+    }
+    touch(cell, scan_face);
+    return verdict_of(scan_orientation(alpha, error), Verdict::orientation);
+}
+
 Verdict Validator::test_face(std::int32_t scan_face) {
     const Triangle& face = scan_->faces[scan_face];
+    const std::array<std::int32_t, 3> places{moved(face[0]), moved(face[1]), moved(face[2])};
+    if (!options_.constant_directions && is_inside_one_cell(places)) {
+        return test_inside(scan_face, places);
+    }
     std::array<Corner, 3> corners{};
     for (std::size_t n = orders_.size(); n < orders_used_ + 3; ++n) {
         orders_.emplace_back();
@@ -328,8 +378,7 @@ Verdict Validator::test_face(std::int32_t scan_face) {
         }
         kept += corners[k].cell < 0 ? 1 : 0;
     }
-    const ScanTriangle q = triangle_of(*scan_, scan_face);
-    const ScanNormal normal(q);
+    const ScanNormal& normal = normals_[scan_face];
     if (options_.constant_directions) {
         return test_constant(scan_face, corners, normal);
     }
@@ -352,7 +401,7 @@ Verdict Validator::test_face(std::int32_t scan_face) {
         touch(cell, scan_face);
         return cell < surface_.new_cells() ? test_orientation(cell, corners) : Verdict::accepted;
     }
-    verdict = test_spanning(q, corners, normal);
+    verdict = test_spanning(triangle_of(*scan_, scan_face), corners, normal);
     if (verdict != Verdict::accepted) {
         return verdict;
     }
@@ -398,21 +447,13 @@ Verdict Validator::test_constant(std::int32_t scan_face, const std::array<Corner
 }
 
 Verdict Validator::test_corners(const std::array<Corner, 3>& corners, const ScanNormal& normal) const {
-    int seen_by_all_of = -1;
+    const bool seen_by_all = cone_.sees(normal);
     for (const Corner& corner : corners) {
         Sign sign = Sign::positive;
-        if (corner.is_new && corner.cell == seen_by_all_of) {
-            continue;
-        }
         if (corner.order != nullptr) {
             sign = normal.seen_along(surface_.vertex(corner.order->vertex()).direction);
-        } else if (corner.is_new) {
-            const std::array<Vec3, 3>& d = surface_.cell(corner.cell).triangle.d;
-            const bool seen_by_all = normal.seen_along(d[0]) == Sign::positive &&
-                                     normal.seen_along(d[1]) == Sign::positive &&
-                                     normal.seen_along(d[2]) == Sign::positive;
-            sign = seen_by_all ? Sign::positive : normal_condition(d, corner.alpha, corner.alpha_error, normal);
-            seen_by_all_of = seen_by_all ? corner.cell : seen_by_all_of;
+        } else if (corner.is_new && !seen_by_all) {
+            sign = normal_condition(surface_.cell(corner.cell).triangle.d, corner.alpha, corner.alpha_error, normal);
         }
         const Verdict verdict = verdict_of(sign, Verdict::normal_condition);
         if (verdict != Verdict::accepted) {
@@ -451,7 +492,11 @@ Verdict Validator::test_spanning(const ScanTriangle& q, const std::array<Corner,
 }
 
 Verdict Validator::test_crossings(const ScanNormal& normal) const {
+    const bool seen_by_all = cone_.sees(normal);
     for (const TraceCrossing& crossing : crossings_) {
+        if (seen_by_all && std::min(crossing.from, crossing.to) < surface_.new_cells()) {
+            continue;
+        }
         const Vec3& d_i = surface_.vertex(crossing.edge[0]).direction;
         const Vec3& d_j = surface_.vertex(crossing.edge[1]).direction;
         Sign sign = Sign::positive;

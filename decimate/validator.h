@@ -3,6 +3,7 @@
 #pragma once
 
 #include <foldless/decimate/cell_places.h>
+#include <foldless/decimate/direction_cone.h>
 #include <foldless/decimate/edge_trace.h>
 #include <foldless/decimate/fan_order.h>
 #include <foldless/decimate/patched_surface.h>
@@ -68,6 +69,9 @@ public:
     /// The scan faces that the last call to gather() found on the faces that go.
     [[nodiscard]] const std::vector<std::int32_t>& gather(const std::vector<std::int32_t>& removed);
 
+    /// The normal of a scan face, of unit length.
+    [[nodiscard]] const ScanNormal& scan_normal(std::int32_t scan_face) const { return normals_[scan_face]; }
+
 private:
     /// A corner of the scan face under test.
     struct Corner {
@@ -87,6 +91,10 @@ private:
     void find_wall_planes();
     [[nodiscard]] Verdict order_fans(const Patch& patch);
     [[nodiscard]] Verdict test_face(std::int32_t scan_face);
+    [[nodiscard]] Verdict test_inside(std::int32_t scan_face, const std::array<std::int32_t, 3>& moved);
+    [[nodiscard]] bool is_inside_one_cell(const std::array<std::int32_t, 3>& moved) const;
+    [[nodiscard]] std::int32_t moved(std::int32_t scan_vertex) const;
+    void find_cone();
     [[nodiscard]] Verdict test_constant(std::int32_t scan_face, const std::array<Corner, 3>& corners,
                                         const ScanNormal& normal);
     [[nodiscard]] Verdict test_orientation(int cell, const std::array<Corner, 3>& corners) const;
@@ -113,6 +121,7 @@ private:
     const Scan* scan_;
     const ScanTopology* topology_;
     ValidatorOptions options_;
+    std::vector<ScanNormal> normals_; ///< per scan face
 
     PatchedSurface surface_;
     PointLocation location_;
@@ -130,7 +139,9 @@ private:
     std::vector<std::uint32_t> face_stamp_;
     std::vector<Moved> moved_; ///< per scan vertex
     std::vector<std::int32_t> scan_faces_;
-    std::vector<Lift> lifts_;        ///< of the places of the trial, in the same order
+    std::vector<Lift> lifts_; ///< of the places of the trial, in the same order
+    std::vector<Vec3> directions_;
+    DirectionCone cone_{{}};         ///< of all directions of the new cells
     std::vector<WallPlanes> planes_; ///< of the new cells, over the displacements of the places on them
     std::vector<unsigned> behind_;   ///< for each of the places, WallPlanes::behind()
     std::vector<std::pair<std::int32_t, Lift>> alternatives_;

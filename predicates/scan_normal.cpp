@@ -4,24 +4,25 @@
 #include <foldless/predicates/rounding.h>
 
 #include <cmath>
+#include <limits>
 
 namespace foldless {
-ScanNormal::ScanNormal(const ScanTriangle& triangle) {
-    const Vec3 e1 = triangle[1] - triangle[0];
-    const Vec3 e2 = triangle[2] - triangle[0];
-    n_ = e1.cross(e2);
-    // A component is a difference of two products of two differences: four roundings on at most 2 |e1| |e2| in all;
-    // 9 instead of 8 covers the second-order terms.
-    component_error_ = 9 * unit_roundoff * max_norm(e1) * max_norm(e2);
-}
 
-double ScanNormal::error(const Vec3& d) const {
+ScanNormal::ScanNormal(const Vec3& n, double component_error)
     // Three products and two sums round the dot product by at most 3 units of sum |d_k n_k|.
-    return sum_norm(d) * (component_error_ + 4 * unit_roundoff * max_norm(n_));
-}
+    : n_(n), dot_error_(component_error + 4 * unit_roundoff * max_norm(n)) {}
 
-Sign ScanNormal::seen_along(const Vec3& d) const {
-    return sign_within(d.dot(n_), error(d));
+ScanNormal::ScanNormal(const ScanTriangle& triangle)
+    : ScanNormal((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]),
+                 // A component is a difference of two products of two differences: four roundings on at most
+                 // 2 |e1| |e2| in all; 9 instead of 8 covers the second-order terms.
+                 9 * unit_roundoff * max_norm(triangle[1] - triangle[0]) * max_norm(triangle[2] - triangle[0])) {}
+
+ScanNormal ScanNormal::normalised() const {
+    const double length = n_.norm();
+    // One rounding in each quotient; what the bound holds beside the error of the components only adds to it.
+    return length > 0 ? ScanNormal(n_ / length, dot_error_ / length + unit_roundoff)
+                      : ScanNormal(Vec3::Zero(), std::numeric_limits<double>::infinity());
 }
 
 Sign seen_along(const Vec3& d, const ScanTriangle& triangle) {

@@ -3,27 +3,33 @@
 /// where d(alpha) is the interpolated direction, of which only the sign of the product matters.
 #pragma once
 
+#include <foldless/predicates/rounding.h>
 #include <foldless/predicates/sign.h>
 #include <foldless/predicates/vector.h>
 
 namespace foldless {
 
-/// n = (q1 - q0) x (q2 - q0), not normalised, with a bound on the error of each component.
+/// n = (q1 - q0) x (q2 - q0), or that divided by a positive number, with a bound on its error. 32 bytes.
 class ScanNormal {
 public:
     explicit ScanNormal(const ScanTriangle& triangle);
 
+    /// The same divided by its length; all signs undecided if that is zero.
+    [[nodiscard]] ScanNormal normalised() const;
+
     [[nodiscard]] const Vec3& value() const { return n_; }
 
     /// A bound on the error of d.dot(value()) as a stand-in for the exact d.n.
-    [[nodiscard]] double error(const Vec3& d) const;
+    [[nodiscard]] double error(const Vec3& d) const { return sum_norm(d) * dot_error_; }
 
     /// The sign of d.n from plain doubles and their error bound.
-    [[nodiscard]] Sign seen_along(const Vec3& d) const;
+    [[nodiscard]] Sign seen_along(const Vec3& d) const { return sign_within(d.dot(n_), error(d)); }
 
 private:
+    ScanNormal(const Vec3& n, double component_error);
+
     Vec3 n_;
-    double component_error_;
+    double dot_error_; ///< of a dot product, for each unit of the sum of |d_k|
 };
 
 /// The sign of d.n for the scan triangle: plain doubles first, then intervals.

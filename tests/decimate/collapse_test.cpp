@@ -109,7 +109,7 @@ TEST(MakeCollapse, NamesTheEndsOfItsHalfedge) {
 TEST(FillFaces, TakesTheStarsAndDropsTheTwoFacesOfTheEdge) {
     World world(pyramid({0.4, 0.7, 0.3}));
     Patch patch;
-    fill_faces(world.base(), world.collapse(4, 0), false, patch);
+    fill_faces(world.base(), world.collapse(4, 0), Extent::both_stars, patch);
     EXPECT_THAT(patch.removed, ElementsAre(0, 1, 2, 3));
     ASSERT_EQ(patch.added.size(), 2);
     EXPECT_THAT((std::vector{patch.added[0].slot, patch.added[1].slot}), ElementsAre(1, 2));
@@ -122,8 +122,8 @@ TEST(FillFaces, TakesTheRingOfTheRimToo) {
     const Collapse inner = world.collapse(24, 25); // near the middle of 7 * 7 vertices
     Patch stars;
     Patch rings;
-    fill_faces(world.base(), inner, false, stars);
-    fill_faces(world.base(), inner, true, rings);
+    fill_faces(world.base(), inner, Extent::both_stars, stars);
+    fill_faces(world.base(), inner, Extent::two_rings, rings);
     EXPECT_EQ(stars.removed.size(), 10);
     EXPECT_EQ(stars.added.size(), 8);
     EXPECT_EQ(rings.removed.size() - rings.added.size(), 2);

@@ -61,7 +61,7 @@ public:
     /// The patch of that collapse onto the place of `stays`.
     [[nodiscard]] Patch collapse_patch(std::int32_t gone, std::int32_t stays) const {
         Patch patch;
-        fill_faces(base_, collapse(gone, stays), false, patch);
+        fill_faces(base_, collapse(gone, stays), Extent::both_stars, patch);
         BaseVertex vertex = base_.vertex(gone);
         vertex.scan_vertex = -1;
         patch.changed.push_back({gone, vertex});
