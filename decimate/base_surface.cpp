@@ -10,7 +10,8 @@ using Halfedge = OpenMesh::HalfedgeHandle;
 } // namespace
 
 BaseSurface::BaseSurface(const Scan& scan)
-    : vertices_(scan.positions.size()), faces_(scan.faces.size()), places_(scan.positions.size()) {
+    : vertices_(scan.positions.size()), faces_(scan.faces.size()), places_(scan.positions.size()),
+      next_on_face_(scan.positions.size(), -1) {
     const std::size_t f_count = scan.faces.size();
     connectivity_.reserve(scan.positions.size(), scan.positions.size() + f_count, f_count);
     for (std::size_t v = 0; v < scan.positions.size(); ++v) {
@@ -81,7 +82,8 @@ std::int32_t BaseSurface::any_face_around(std::int32_t v) const {
 }
 
 void BaseSurface::set_place(std::int32_t scan_vertex, std::int32_t face, const Vec3& alpha, double t) {
-    places_[scan_vertex] = {face, -1, faces_[face].first_vertex, alpha, t};
+    places_[scan_vertex] = {face, -1, alpha, t};
+    next_on_face_[scan_vertex] = faces_[face].first_vertex;
     faces_[face].first_vertex = scan_vertex;
 }
 

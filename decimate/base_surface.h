@@ -33,15 +33,15 @@ struct BaseVertex {
 struct BaseFace {
     Range range{0.0, 0.0};                ///< displacements over the face, float32 values
     std::vector<std::int32_t> scan_faces; ///< every scan face whose image meets the closed face
-    std::int32_t first_vertex = -1;       ///< of the scan vertices that have their place on it; Place::next follows
-    bool is_scan_face = true;             ///< still the scan face of the same index, represented by itself
+    std::int32_t first_vertex =
+        -1;                   ///< of the scan vertices that have their place on it, or -1; next_on_face() has the rest
+    bool is_scan_face = true; ///< still the scan face of the same index, represented by itself
 };
 
 /// The place of a scan vertex on the base mesh.
 struct Place {
     std::int32_t face = -1; ///< base face, or -1 for a kept vertex
     std::int32_t kept = -1; ///< the base vertex that it is kept as, or -1
-    std::int32_t next = -1; ///< the next scan vertex with its place on the same face, or -1
     Vec3 alpha = Vec3::Zero();
     double t = 0.0;
 };
@@ -61,6 +61,8 @@ public:
     [[nodiscard]] const BaseFace& face(std::int32_t f) const { return faces_[f]; }
     [[nodiscard]] BaseFace& face(std::int32_t f) { return faces_[f]; }
     [[nodiscard]] const Place& place(std::int32_t scan_vertex) const { return places_[scan_vertex]; }
+    /// The next scan vertex with its place on the same face, or -1.
+    [[nodiscard]] std::int32_t next_on_face(std::int32_t scan_vertex) const { return next_on_face_[scan_vertex]; }
     /// Gives a scan vertex a place on a face, of which it becomes the first vertex.
     void set_place(std::int32_t scan_vertex, std::int32_t face, const Vec3& alpha, double t);
 
@@ -85,6 +87,7 @@ private:
     std::vector<BaseVertex> vertices_;
     std::vector<BaseFace> faces_;
     std::vector<Place> places_;
+    std::vector<std::int32_t> next_on_face_; ///< per scan vertex
 };
 
 } // namespace foldless

@@ -6,18 +6,15 @@ CellPlaces::CellPlaces(PatchedSurface& surface, int cell) : surface_(&surface), 
     // The prismoid lies in the hull of the corners of its two end slices.
     const BaseTriangle& triangle = surface.cell(cell).triangle;
     const Range range = surface.cell(cell).range;
-    low_ = high_ = triangle.corner(0, range.lo);
     for (int k = 0; k < 3; ++k) {
         for (const double t : {range.lo, range.hi}) {
-            low_ = low_.cwiseMin(triangle.corner(k, t));
-            high_ = high_.cwiseMax(triangle.corner(k, t));
+            box_.extend(triangle.corner(k, t));
         }
     }
     // Far more than rounding moves a corner, far less than the size of a face.
     constexpr double slack = 1e-9;
-    const Vec3 widen = Vec3::Constant(slack * (high_ - low_).maxCoeff());
-    low_ -= widen;
-    high_ += widen;
+    const Vec3 widen = Vec3::Constant(slack * box_.sizes().maxCoeff());
+    box_ = Box(box_.min() - widen, box_.max() + widen);
 }
 
 Verdict CellPlaces::lacks(const Vec3& q, const Lift& known) const {

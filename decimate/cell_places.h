@@ -11,6 +11,8 @@
 
 namespace foldless {
 
+using Box = Eigen::AlignedBox3d;
+
 /// The prismoid of a cell over its range, prepared to be asked about many points that lie elsewhere.
 class CellPlaces {
 public:
@@ -19,10 +21,8 @@ public:
     [[nodiscard]] int cell() const { return cell_; }
 
     /// False if q is outside the box around the prismoid.
-    [[nodiscard]] bool may_hold(const Vec3& q) const {
-        return q.x() >= low_.x() && q.x() <= high_.x() && q.y() >= low_.y() && q.y() <= high_.y() &&
-               q.z() >= low_.z() && q.z() <= high_.z();
-    }
+    [[nodiscard]] bool may_hold(const Vec3& q) const { return box_.contains(q); }
+    [[nodiscard]] const Box& box() const { return box_; }
 
     /// `accepted` if q, whose place is `known`, has no other place in this cell: none at all, or the same point on the
     /// common wall. `several_preimages` if it has one, `undecided` if rounding hides it.
@@ -32,8 +32,7 @@ private:
     PatchedSurface* surface_;
     int cell_;
     mutable std::optional<Prismoid> prismoid_; ///< prepared when first asked: few cells ever are
-    Vec3 low_;
-    Vec3 high_;
+    Box box_;
 };
 
 } // namespace foldless

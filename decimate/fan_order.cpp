@@ -19,22 +19,29 @@ Verdict FanOrder::reset(std::int32_t v, PatchedSurface& surface, const Scan& sca
     }
     const std::int32_t scan_vertex = surface.vertex(v).scan_vertex;
     for (const std::int32_t f : topology.faces_around(scan_vertex)) {
-        for (const std::int32_t neighbour : scan.faces[f]) {
-            const bool known =
-                neighbour == scan_vertex ||
-                std::any_of(edges_.begin(), edges_.end(), [&](const Edge& e) { return e.neighbour == neighbour; });
-            if (known) {
-                continue;
-            }
-            int position = 0;
-            const Verdict verdict = find_position(neighbour, surface, scan, position);
-            if (verdict != Verdict::accepted) {
-                return verdict;
-            }
-            edges_.push_back({neighbour, position});
+        const Triangle& face = scan.faces[f];
+        const int k = face[0] == scan_vertex ? 0 : face[1] == scan_vertex ? 1 : 2;
+        // Every edge is the first of one face, but for the last at a border.
+        const std::int32_t first = face[(k + 1) % 3];
+        const std::int32_t second = face[(k + 2) % 3];
+        Verdict verdict = add_edge(first, surface, scan);
+        if (verdict == Verdict::accepted && topology.border_successor(second) == scan_vertex) {
+            verdict = add_edge(second, surface, scan);
+        }
+        if (verdict != Verdict::accepted) {
+            return verdict;
         }
     }
     return goes_round_once(scan_vertex, scan, topology);
+}
+
+Verdict FanOrder::add_edge(std::int32_t neighbour, PatchedSurface& surface, const Scan& scan) {
+    int position = 0;
+    const Verdict verdict = find_position(neighbour, surface, scan, position);
+    if (verdict == Verdict::accepted) {
+        edges_.push_back({neighbour, position});
+    }
+    return verdict;
 }
 
 Verdict FanOrder::base_turns_once(PatchedSurface& surface) const {

@@ -41,6 +41,7 @@ private:
         std::int32_t neighbour;
         int position;
     };
+    [[nodiscard]] Verdict add_edge(std::int32_t neighbour, PatchedSurface& surface, const Scan& scan);
     [[nodiscard]] Verdict find_position(std::int32_t neighbour, PatchedSurface& surface, const Scan& scan,
                                         int& out) const;
     [[nodiscard]] Verdict base_turns_once(PatchedSurface& surface) const;

@@ -29,8 +29,8 @@ Prismoid::Prismoid(const BaseTriangle& triangle, Range range)
     normal_ = e1.cross(e2);
     const std::array<double, 3> speed{triangle.d[0].dot(normal_), triangle.d[1].dot(normal_),
                                       triangle.d[2].dot(normal_)};
-    slowest_ = *std::min_element(speed.begin(), speed.end());
-    fastest_ = *std::max_element(speed.begin(), speed.end());
+    per_height_ = 1 / *std::max_element(speed.begin(), speed.end());
+    per_height_at_most_ = 1 / *std::min_element(speed.begin(), speed.end());
     unit_ = std::max(max_norm(e1), max_norm(e2)) / max_norm(triangle.d[0]);
     for (int k = 0; k < 3; ++k) {
         Plane& plane = planes_[k];
@@ -43,13 +43,13 @@ Prismoid::Prismoid(const BaseTriangle& triangle, Range range)
 }
 
 std::optional<Range> Prismoid::displacements(const Vec3& q) const {
-    if (!(slowest_ > 0)) {
+    if (!(per_height_at_most_ > 0) || !(per_height_ > 0)) {
         return range_;
     }
     const Vec3 p = q - origin_;
     const double height = p.dot(normal_);
-    double lo = height / (height >= 0 ? fastest_ : slowest_);
-    double hi = height / (height >= 0 ? slowest_ : fastest_);
+    double lo = height * (height >= 0 ? per_height_ : per_height_at_most_);
+    double hi = height * (height >= 0 ? per_height_at_most_ : per_height_);
     const double widen = cull_slack * (std::abs(lo) + std::abs(hi) + unit_);
     lo = std::max(lo, range_.lo) - widen;
     hi = std::min(hi, range_.hi) + widen;

@@ -45,9 +45,9 @@ private:
     Range range_;
     InverseDisplacement inverse_;
     Vec3 origin_;
-    Vec3 normal_;              ///< of the base triangle at t = 0
-    double slowest_, fastest_; ///< smallest and largest d_i.normal
-    double unit_;              ///< of displacements: as far as the triangle is wide
+    Vec3 normal_;                            ///< of the base triangle at t = 0
+    double per_height_, per_height_at_most_; ///< 1 / the largest and the smallest d_i.normal
+    double unit_;                            ///< of displacements: as far as the triangle is wide
     std::array<Plane, 3> planes_;
 };
 

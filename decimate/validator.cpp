@@ -108,7 +108,7 @@ Verdict Validator::locate_vertices(const Patch& patch) {
     lifts_.clear();
     alternatives_.clear();
     for (const std::int32_t face : patch.removed) {
-        for (std::int32_t v = base_->face(face).first_vertex; v >= 0; v = base_->place(v).next) {
+        for (std::int32_t v = base_->face(face).first_vertex; v >= 0; v = base_->next_on_face(v)) {
             const Verdict verdict = locate_vertex(v);
             if (verdict != Verdict::accepted) {
                 return verdict;
@@ -627,9 +627,11 @@ Verdict Validator::test_faces_beside() {
         }
     }
     here_.clear();
+    around_here_.setEmpty();
     for (int c = 0; c < surface_.new_cells(); ++c) {
         if (!trial_.faces[c].is_scan_face) {
             here_.emplace_back(surface_, c);
+            around_here_.extend(here_.back().box());
         }
     }
     for (const int outer : beside_) {
@@ -642,8 +644,11 @@ Verdict Validator::test_faces_beside() {
 }
 
 Verdict Validator::test_vertices_of(int outer) const {
-    for (std::int32_t v = base_->face(surface_.cell(outer).face).first_vertex; v >= 0; v = base_->place(v).next) {
+    for (std::int32_t v = base_->face(surface_.cell(outer).face).first_vertex; v >= 0; v = base_->next_on_face(v)) {
         const Vec3& q = scan_->positions[v];
+        if (!around_here_.contains(q)) {
+            continue;
+        }
         for (const CellPlaces& here : here_) {
             if (!here.may_hold(q) || !surface_.share_corner(outer, here.cell())) {
                 continue;

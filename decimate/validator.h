@@ -155,6 +155,7 @@ private:
     std::vector<Pillar> inside_;
     std::vector<int> beside_;      ///< cells beside the patch
     std::vector<CellPlaces> here_; ///< the new cells that move
+    Box around_here_;              ///< around all of them
 };
 
 } // namespace foldless

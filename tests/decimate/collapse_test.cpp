@@ -117,6 +117,49 @@ TEST(FillFaces, TakesTheStarsAndDropsTheTwoFacesOfTheEdge) {
     EXPECT_THAT(patch.added[1].corners, UnorderedElementsAre(0, 2, 3));
 }
 
+TEST(FillFaces, TakesOneStarWhereTheOtherVertexStaysAsItIs) {
+    World world(test::terrain(6, 0.0));
+    Patch patch;
+    fill_faces(world.base(), world.collapse(24, 25), Extent::star_of_gone, patch);
+    EXPECT_EQ(patch.removed.size(), 6);
+    EXPECT_EQ(patch.added.size(), 4);
+    for (const PatchFace& face : patch.added) {
+        EXPECT_THAT(face.corners, testing::Contains(25));
+        EXPECT_THAT(face.corners, testing::Not(testing::Contains(24)));
+    }
+}
+
+// OpenMesh turns the corners of the faces beside those that vanish.
+TEST(CommitCollapse, LeavesTheCornersOfEveryFaceInTheirOrder) {
+    for (const auto& [gone, stays] : {std::pair{24, 25}, std::pair{25, 24}, std::pair{24, 31}, std::pair{24, 32}}) {
+        Scan scan = test::terrain(6, 0.05);
+        for (std::size_t v = 0; v < scan.positions.size(); ++v) { // no scan edge through a base vertex
+            const auto angle = static_cast<double>(v * v);
+            scan.positions[v] += 0.03 * Vec3(std::sin(angle), std::cos(angle), 0);
+        }
+        World world(scan);
+        Patch patch;
+        fill_faces(world.base(), world.collapse(gone, stays), Extent::star_of_gone, patch);
+        patch.changed.push_back({gone, world.base().vertex(gone)});
+        patch.changed[0].value.scan_vertex = -1;
+        ASSERT_EQ(world.judge(patch), Verdict::accepted);
+        std::vector<Triangle> before;
+        for (std::size_t f = 0; f < world.scan().faces.size(); ++f) {
+            before.push_back(world.base().corners(static_cast<std::int32_t>(f)));
+        }
+        world.commit_collapse(gone, stays, patch);
+        for (std::size_t f = 0; f < before.size(); ++f) {
+            const auto face = static_cast<std::int32_t>(f);
+            if (!std::binary_search(patch.removed.begin(), patch.removed.end(), face)) {
+                EXPECT_EQ(world.base().corners(face), before[f]) << "face " << f;
+            }
+        }
+        for (const PatchFace& face : patch.added) {
+            EXPECT_EQ(world.base().corners(face.slot), face.corners);
+        }
+    }
+}
+
 TEST(FillFaces, TakesTheRingOfTheRimToo) {
     World world(test::terrain(6, 0.0));
     const Collapse inner = world.collapse(24, 25); // near the middle of 7 * 7 vertices

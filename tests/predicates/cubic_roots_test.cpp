@@ -169,5 +169,52 @@ TEST(CubicRoots, AgreesWithRationalBisection) {
     }
 }
 
+TEST(RisingRoot, IsTheOneRootOfTheRange) {
+    const Cubic cubic = with_roots(-3, 1, 5); // falls between its extrema near -1.3 and 3.3
+    const auto third = rising_root(cubic, {}, 4, 7);
+    ASSERT_TRUE(third);
+    ASSERT_EQ(third->count, 1);
+    EXPECT_NEAR(third->t[0], 5, 1e-14);
+    const auto none = rising_root(cubic, {}, 6, 7);
+    ASSERT_TRUE(none);
+    EXPECT_EQ(none->count, 0);
+}
+
+TEST(RisingRoot, DoesNotAnswerWhereTheCubicMayFallOrVanishAtAnEnd) {
+    const Cubic cubic = with_roots(-3, 1, 5);
+    EXPECT_FALSE(rising_root(cubic, {}, 0, 7));
+    EXPECT_FALSE(rising_root(cubic, {}, 5, 7));
+    EXPECT_FALSE(rising_root(cubic, {}, 4, 5));
+    EXPECT_FALSE(rising_root(cubic, {0, 0, 100, 0}, 4, 7)); // its slope is not known well enough
+    EXPECT_FALSE(rising_root(cubic, {0, 0, 0, 100}, 4, 7)); // nor its values at the ends
+}
+
+TEST(RisingRoot, IsWhatAllRootsHaveInTheRange) {
+    RandomTriangles random(4);
+    int answered = 0;
+    int found = 0;
+    constexpr int rounds = 100000;
+    for (int i = 0; i < rounds; ++i) {
+        const Cubic cubic = random_cubic(random);
+        const double lo = random.number(-4, 4);
+        const double hi = lo + random.number(0, 2);
+        const auto only = rising_root(cubic, {}, lo, hi);
+        if (!only) {
+            continue;
+        }
+        ++answered;
+        std::vector<double> expected = list(real_roots(cubic));
+        std::erase_if(expected, [&](double t) { return t < lo || t > hi; });
+        ASSERT_EQ(only->count, static_cast<int>(expected.size())) << i;
+        if (only->count == 1) {
+            ++found;
+            const double uncertainty = 8.0 * unit * (terms(cubic, expected[0]) / cubic.slope(expected[0]) + 1.0);
+            ASSERT_NEAR(only->t[0], expected[0], uncertainty) << i;
+        }
+    }
+    EXPECT_GT(answered, rounds / 4);
+    EXPECT_GT(found, rounds / 50);
+}
+
 } // namespace
 } // namespace foldless

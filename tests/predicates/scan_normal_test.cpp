@@ -46,6 +46,27 @@ TEST(ScanNormal, BoundsItsError) {
     }
 }
 
+TEST(ScanNormal, OfUnitLengthBoundsItsErrorToo) {
+    RandomTriangles random(5);
+    for (int round = 0; round < 3000; ++round) {
+        const Vec3 far = random.vector(std::ldexp(1.0, round % 30));
+        const ScanTriangle q{far + random.vector(), far + random.vector(), far + random.vector()};
+        const Vec3 d = random.vector();
+        const double length = ScanNormal(q).value().norm();
+        const ScanNormal unit = ScanNormal(q).normalised();
+        EXPECT_NEAR(unit.value().norm(), 1, 1e-15);
+        const mpq_class off =
+            mpq_class(d.dot(unit.value())) - exact::dot(Vector(d), exact_normal(q)) / mpq_class(length);
+        EXPECT_LE(abs(off), mpq_class(unit.error(d))) << "round " << round;
+    }
+}
+
+TEST(ScanNormal, OfATriangleWithoutAreaIsUndecided) {
+    const ScanNormal unit = ScanNormal({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}).normalised();
+    EXPECT_EQ(unit.seen_along({0, 0, 1}), Sign::undecided);
+    EXPECT_EQ(unit.seen_along({1, 2, 3}), Sign::undecided);
+}
+
 // Directions in the plane of the triangle but for their rounding.
 TEST(ScanNormal, IsNeverWrongAboutDirectionsNearlyInThePlane) {
     RandomTriangles random(2);
