@@ -65,14 +65,6 @@ void BaseSurface::faces_around(std::int32_t v, std::vector<std::int32_t>& out) c
     } while (h != outgoing);
 }
 
-void BaseSurface::turn(std::int32_t f, std::int32_t v) {
-    Halfedge h = connectivity_.halfedge_handle(OpenMesh::FaceHandle(f));
-    while (connectivity_.to_vertex_handle(h).idx() != v) {
-        h = connectivity_.next_halfedge_handle(h);
-    }
-    connectivity_.set_halfedge_handle(OpenMesh::FaceHandle(f), h);
-}
-
 std::int32_t BaseSurface::any_face_around(std::int32_t v) const {
     const Halfedge outgoing = connectivity_.halfedge_handle(OpenMesh::VertexHandle(v));
     const bool at_border = connectivity_.is_boundary(outgoing);

@@ -66,7 +66,7 @@ public:
     /// Gives a scan vertex a place on a face, of which it becomes the first vertex.
     void set_place(std::int32_t scan_vertex, std::int32_t face, const Vec3& alpha, double t);
 
-    /// Corners of a face in its orientation. The first one may change when a collapse touches the face.
+    /// Corners of a face in its orientation. A collapse leaves their order as it is.
     [[nodiscard]] Triangle corners(std::int32_t f) const;
     /// The face across the edge opposite corner k (in the order of corners()), or -1.
     [[nodiscard]] std::int32_t neighbour(std::int32_t f, int k) const;
@@ -75,9 +75,6 @@ public:
     /// The first of them; the vertex must have one.
     [[nodiscard]] std::int32_t any_face_around(std::int32_t v) const;
     [[nodiscard]] bool is_border_vertex(std::int32_t v) const;
-
-    /// Turns the corners of a face so that v comes first.
-    void turn(std::int32_t f, std::int32_t v);
 
     [[nodiscard]] std::size_t face_slots() const { return faces_.size(); }
     [[nodiscard]] std::size_t vertex_slots() const { return vertices_.size(); }

@@ -1,8 +1,6 @@
 #include <foldless/decimate/commit.h>
 
-#include <algorithm>
-#include <utility>
-#include <vector>
+#include <cassert>
 
 namespace foldless {
 namespace {
@@ -27,34 +25,16 @@ void commit_faces(BaseSurface& base, const Patch& patch, const Trial& trial) {
 
 void commit_places(BaseSurface& base, const Patch& patch, const Trial& trial) {
     for (const Trial::NewPlace& place : trial.places) {
-        base.set_place(place.scan_vertex, patch.added[place.face].slot, place.alpha, place.t);
-    }
-}
-
-/// Collapses the halfedge and leaves the corners of every face in the order in which its places count them: of the
-/// faces that come the patch's, of those around that stay the one they had. OpenMesh turns them as it needs to.
-void collapse_connectivity(BaseSurface& base, const Collapse& collapse, const Patch& patch) {
-    std::vector<std::int32_t> around;
-    base.faces_around(collapse.stays, around);
-    std::vector<std::pair<std::int32_t, std::int32_t>> first_corners;
-    for (const std::int32_t f : around) {
-        if (!std::binary_search(patch.removed.begin(), patch.removed.end(), f)) {
-            first_corners.emplace_back(f, base.corners(f)[0]);
-        }
-    }
-    base.connectivity().collapse(collapse.halfedge);
-    for (const auto& [face, corner] : first_corners) {
-        base.turn(face, corner);
-    }
-    for (const PatchFace& face : patch.added) {
-        base.turn(face.slot, face.corners[0]);
+        const PatchFace& face = patch.added[place.face];
+        assert(base.corners(face.slot) == face.corners); // OpenMesh leaves the order as it is
+        base.set_place(place.scan_vertex, face.slot, place.alpha, place.t);
     }
 }
 
 } // namespace
 
 void commit_collapse(BaseSurface& base, const Collapse& collapse, const Patch& patch, const Trial& trial) {
-    collapse_connectivity(base, collapse, patch);
+    base.connectivity().collapse(collapse.halfedge);
     for (const PatchVertex& changed : patch.changed) {
         base.vertex(changed.index) = changed.value;
     }

@@ -129,35 +129,45 @@ TEST(FillFaces, TakesOneStarWhereTheOtherVertexStaysAsItIs) {
     }
 }
 
-// OpenMesh turns the corners of the faces beside those that vanish.
+// Places count the corners, so OpenMesh must not turn them; here the first corner is each in turn.
 TEST(CommitCollapse, LeavesTheCornersOfEveryFaceInTheirOrder) {
-    for (const auto& [gone, stays] : {std::pair{24, 25}, std::pair{25, 24}, std::pair{24, 31}, std::pair{24, 32}}) {
-        Scan scan = test::terrain(6, 0.05);
-        for (std::size_t v = 0; v < scan.positions.size(); ++v) { // no scan edge through a base vertex
-            const auto angle = static_cast<double>(v * v);
-            scan.positions[v] += 0.03 * Vec3(std::sin(angle), std::cos(angle), 0);
-        }
-        World world(scan);
-        Patch patch;
-        fill_faces(world.base(), world.collapse(gone, stays), Extent::star_of_gone, patch);
-        patch.changed.push_back({gone, world.base().vertex(gone)});
-        patch.changed[0].value.scan_vertex = -1;
-        ASSERT_EQ(world.judge(patch), Verdict::accepted);
-        std::vector<Triangle> before;
-        for (std::size_t f = 0; f < world.scan().faces.size(); ++f) {
-            before.push_back(world.base().corners(static_cast<std::int32_t>(f)));
-        }
-        world.commit_collapse(gone, stays, patch);
-        for (std::size_t f = 0; f < before.size(); ++f) {
-            const auto face = static_cast<std::int32_t>(f);
-            if (!std::binary_search(patch.removed.begin(), patch.removed.end(), face)) {
-                EXPECT_EQ(world.base().corners(face), before[f]) << "face " << f;
+    Scan scan = test::terrain(6, 0.05);
+    for (std::size_t v = 0; v < scan.positions.size(); ++v) { // no scan edge through a base vertex
+        const auto angle = static_cast<double>(v * v);
+        scan.positions[v] += 0.03 * Vec3(std::sin(angle), std::cos(angle), 0);
+    }
+    int accepted = 0;
+    for (int turns = 0; turns < 3; ++turns) {
+        for (const auto& [gone, stays] : {std::pair{24, 25}, {25, 24}, {24, 31}, {31, 24}, {24, 32}, {32, 24}}) {
+            World world(scan);
+            Patch patch;
+            fill_faces(world.base(), world.collapse(gone, stays), Extent::star_of_gone, patch);
+            patch.changed.push_back({gone, world.base().vertex(gone)});
+            patch.changed[0].value.scan_vertex = -1;
+            if (world.judge(patch) != Verdict::accepted) {
+                continue;
+            }
+            ++accepted;
+            std::vector<Triangle> before;
+            for (std::size_t f = 0; f < scan.faces.size(); ++f) {
+                before.push_back(world.base().corners(static_cast<std::int32_t>(f)));
+            }
+            world.commit_collapse(gone, stays, patch);
+            for (std::size_t f = 0; f < before.size(); ++f) {
+                const auto face = static_cast<std::int32_t>(f);
+                if (!std::binary_search(patch.removed.begin(), patch.removed.end(), face)) {
+                    EXPECT_EQ(world.base().corners(face), before[f]) << "face " << f;
+                }
+            }
+            for (const PatchFace& face : patch.added) {
+                EXPECT_EQ(world.base().corners(face.slot), face.corners);
             }
         }
-        for (const PatchFace& face : patch.added) {
-            EXPECT_EQ(world.base().corners(face.slot), face.corners);
+        for (Triangle& face : scan.faces) {
+            std::rotate(face.begin(), face.begin() + 1, face.end());
         }
     }
+    EXPECT_GE(accepted, 12);
 }
 
 TEST(FillFaces, TakesTheRingOfTheRimToo) {
