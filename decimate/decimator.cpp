@@ -145,6 +145,7 @@ bool Decimator::ask(std::int32_t edge) {
         ++statistics_.refused[static_cast<std::size_t>(verdict)];
         return false;
     }
+    survivor_is_known_ = false;
     Quadric quadric = quadrics_[collapse.gone];
     quadric += quadrics_[collapse.stays];
     const bool keeps_place = mobility_[collapse.stays] == Mobility::fixed ||
@@ -219,7 +220,7 @@ bool Decimator::set_directions(const Collapse& collapse) {
 std::optional<Vec3> Decimator::direction_of(std::int32_t v) {
     std::optional<Vec3> direction;
     if (options_.directions == Directions::visible) {
-        direction = visible_direction_of(v);
+        direction = v == collapse_.stays ? visible_direction_of_survivor() : visible_direction_of(v);
     }
     if (!direction) {
         // Also where no single direction sees every scan face on the star: the validator asks less, that each scan face
@@ -240,6 +241,15 @@ std::optional<Vec3> Decimator::direction_of(std::int32_t v) {
             vertex_normal(star_, options_.directions == Directions::angle ? Directions::angle : Directions::area);
     }
     return direction ? std::optional<Vec3>(stored_direction(*direction)) : std::nullopt;
+}
+
+const std::optional<Vec3>& Decimator::visible_direction_of_survivor() {
+    // The scan faces around the two ends are the same for all candidates of an edge.
+    if (!survivor_is_known_) {
+        visible_from_survivor_ = visible_direction_of(collapse_.stays);
+        survivor_is_known_ = true;
+    }
+    return visible_from_survivor_;
 }
 
 std::optional<Vec3> Decimator::visible_direction_of(std::int32_t v) {

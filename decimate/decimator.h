@@ -41,6 +41,7 @@ private:
     [[nodiscard]] bool set_directions(const Collapse& collapse);
     [[nodiscard]] std::optional<Vec3> direction_of(std::int32_t v);
     [[nodiscard]] std::optional<Vec3> visible_direction_of(std::int32_t v);
+    [[nodiscard]] const std::optional<Vec3>& visible_direction_of_survivor();
     [[nodiscard]] bool is_frozen(std::int32_t face) const;
     void commit();
     [[nodiscard]] std::optional<StopReason> interrupted();
@@ -65,6 +66,8 @@ private:
     Extent extent_ = Extent::both_stars;
     Patch patch_;
     std::vector<Candidate> candidates_;
+    bool survivor_is_known_ = false; ///< the following was computed for the edge under question
+    std::optional<Vec3> visible_from_survivor_;
     std::vector<std::int32_t> rim_;
     std::vector<std::array<Vec3, 3>> star_;
     std::vector<Vec3> normals_;

@@ -82,11 +82,14 @@ Verdict FanOrder::no_sector_holds(std::size_t spoke, std::size_t first, std::siz
         const int cell = fan_->cells[c % fan_->cells.size()];
         const int k = surface.corner_of(cell, vertex_);
         const Sign right = surface.cell(cell).wall((k + 2) % 3).passes_at_corner(e, 0);
+        if (right == Sign::positive) {
+            continue;
+        }
         const Sign left = surface.cell(cell).wall((k + 1) % 3).passes_at_corner(e, 1);
         if (right == Sign::negative && left == Sign::negative) {
             return Verdict::jacobian;
         }
-        if (right != Sign::positive && left != Sign::positive) {
+        if (left != Sign::positive) {
             return Verdict::undecided;
         }
     }
@@ -107,12 +110,15 @@ Verdict FanOrder::find_position(std::int32_t neighbour, PatchedSurface& surface,
         // The wall opposite corner k + 2 runs from k to k + 1, so corner k is at its lambda = 0; the one opposite k + 1
         // runs from k + 2 to k, so corner k is at lambda = 1.
         const Sign right = cell.wall((k + 2) % 3).passes_at_corner(e, 0);
+        if (right == Sign::positive) {
+            continue;
+        }
         const Sign left = cell.wall((k + 1) % 3).passes_at_corner(e, 1);
         if (right == Sign::negative && left == Sign::negative) {
             out = static_cast<int>(2 * c + 1);
             return cell.impassable ? Verdict::no_preimage : Verdict::accepted;
         }
-        undecided = undecided || (right != Sign::positive && left != Sign::positive);
+        undecided = undecided || left != Sign::positive;
     }
     return undecided ? Verdict::undecided : Verdict::no_preimage;
 }

@@ -65,7 +65,6 @@ const std::vector<std::int32_t>& Validator::gather(const std::vector<std::int32_
 
 Verdict Validator::judge(const Patch& patch) {
     surface_.reset(patch, options_.constant_directions);
-    static_cast<void>(gather(patch.removed));
     const std::size_t count = patch.added.size();
     trial_.faces.resize(count);
     for (std::size_t c = 0; c < count; ++c) {
@@ -80,6 +79,7 @@ Verdict Validator::judge(const Patch& patch) {
 
     Verdict verdict = location_.reset(surface_, options_.uniqueness);
     if (verdict == Verdict::accepted) {
+        static_cast<void>(gather(patch.removed));
         verdict = locate_vertices(patch);
     }
     if (verdict == Verdict::accepted) {
