@@ -226,19 +226,18 @@ bool Validator::corner(std::int32_t scan_vertex, Corner& out) {
     const std::int32_t n = moved(scan_vertex);
     if (n >= 0) {
         const Lift& lift = lifts_[n];
-        const unsigned behind = behind_[n];
-        out = {scan_vertex, lift.cell, nullptr, lift.at.alpha, lift.at.t, lift.at.alpha_error, true, behind};
+        out = {scan_vertex, lift.cell, nullptr, lift.at.alpha, lift.at.t, lift.at.alpha_error, true};
         return true;
     }
     const Place& place = base_->place(scan_vertex);
     if (place.kept >= 0) {
-        out = {scan_vertex, -1, nullptr, Vec3::Zero(), 0.0, 0.0, false, 0};
+        out = {scan_vertex, -1, nullptr, Vec3::Zero(), 0.0, 0.0, false};
         if (!options_.constant_directions) {
             out.order = order_of(place.kept);
         }
         return out.order != nullptr || options_.constant_directions;
     }
-    out = {scan_vertex, surface_.cell_of(place.face), nullptr, place.alpha, place.t, 0.0, false, 0};
+    out = {scan_vertex, surface_.cell_of(place.face), nullptr, place.alpha, place.t, 0.0, false};
     return true;
 }
 
@@ -293,9 +292,6 @@ int Validator::common_cell(const std::array<Corner, 3>& corners) const {
 
 Verdict Validator::stays_in(int cell, const std::array<Corner, 3>& corners) const {
     // `undecided` here only means: not by this short way.
-    if ((corners[0].behind & corners[1].behind & corners[2].behind) == WallPlanes::all) {
-        return Verdict::accepted; // all three lie on this new cell
-    }
     Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (int k = 0; k < 3; ++k) {
         const Corner& corner = corners[k];
@@ -335,6 +331,7 @@ std::int32_t Validator::moved(std::int32_t scan_vertex) const {
     return moved.stamp == stamp_ ? moved.lift : -1;
 }
 
+/// Whether all three corners lie on one new cell and behind the planes along its walls: then so does the whole face.
 bool Validator::is_inside_one_cell(const std::array<std::int32_t, 3>& moved) const {
     return moved[0] >= 0 && moved[1] >= 0 && moved[2] >= 0 && lifts_[moved[0]].cell == lifts_[moved[1]].cell &&
            lifts_[moved[0]].cell == lifts_[moved[2]].cell &&

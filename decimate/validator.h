@@ -81,8 +81,7 @@ private:
         Vec3 alpha;
         double t;
         double alpha_error;
-        bool is_new;     ///< its place is new
-        unsigned behind; ///< which planes along the walls of its new cell
+        bool is_new; ///< its place is new
     };
 
     [[nodiscard]] Verdict locate_vertices(const Patch& patch);
