@@ -399,10 +399,16 @@ Verdict Validator::test_face(std::int32_t scan_face) {
         return cell < surface_.new_cells() ? test_orientation(cell, corners) : Verdict::accepted;
     }
     verdict = test_spanning(triangle_of(*scan_, scan_face), corners, normal);
-    if (verdict != Verdict::accepted) {
-        return verdict;
+    if (verdict == Verdict::accepted && cell >= 0 && cell < surface_.new_cells() && holds_corners(cell, corners)) {
+        verdict = test_orientation(cell, corners); // its edges may leave the cell, its corners do not
     }
-    return record(scan_face, corners);
+    return verdict == Verdict::accepted ? record(scan_face, corners) : verdict;
+}
+
+bool Validator::holds_corners(int cell, const std::array<Corner, 3>& corners) const {
+    return std::all_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+        return corner.order == nullptr ? corner.cell == cell : surface_.corner_of(cell, corner.order->vertex()) >= 0;
+    });
 }
 
 Verdict Validator::test_orientation(int cell, const std::array<Corner, 3>& corners) const {

@@ -111,6 +111,7 @@ private:
     [[nodiscard]] bool corner(std::int32_t scan_vertex, Corner& out);
     [[nodiscard]] const FanOrder* order_of(std::int32_t base_vertex);
     [[nodiscard]] static std::int32_t kept_as(const Corner& corner);
+    [[nodiscard]] bool holds_corners(int cell, const std::array<Corner, 3>& corners) const;
     [[nodiscard]] int common_cell(const std::array<Corner, 3>& corners) const;
     [[nodiscard]] Verdict stays_in(int cell, const std::array<Corner, 3>& corners) const;
     void touch(int cell, std::int32_t scan_face);

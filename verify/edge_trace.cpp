@@ -289,11 +289,16 @@ Sign Tracer::passes(const MovingFace& face, const Exit& exit) const {
     const Vec3 r = (face.triangle.v[j] - face.triangle.v[i]) + exit.at.t * turn;
     const Vec3 d = face.triangle.d[i] + exit.at.lambda * turn;
     // Rounding: four in each component of r and d, four in the cross product, three in the dot product; 30 covers them
-    // on twice the product of the sizes. Then the errors of lambda and t, to first order and a little more.
+    // on twice the product of the sizes. The value is linear in lambda and in t, as turn x turn = 0, so their errors
+    // move it by no more than its slopes; these are rounded, too.
     const double size_r = max_norm(face.triangle.v[j] - face.triangle.v[i]) + std::abs(exit.at.t) * max_norm(turn);
     const double size_d = max_norm(face.triangle.d[i]) + max_norm(turn);
-    const double moved = size_r * max_norm(turn) * exit.at.error + max_norm(turn) * size_d * exit.at.t_error;
-    const double error = 2 * sum_norm(e_) * (30 * unit_roundoff * size_r * size_d + 1.1 * moved);
+    const double moved_r = max_norm(turn) * exit.at.t_error;
+    const double moved_d = max_norm(turn) * exit.at.error;
+    const double rounding = 2 * sum_norm(e_) * 30 * unit_roundoff * (size_r + moved_r) * (size_d + moved_d);
+    const double moved =
+        std::abs(e_.dot(r.cross(turn))) * exit.at.error + std::abs(e_.dot(turn.cross(d))) * exit.at.t_error;
+    const double error = 2 * rounding + 1.01 * moved;
     return sign_within(e_.dot(r.cross(d)), error);
 }
 
