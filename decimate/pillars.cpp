@@ -100,36 +100,37 @@ Verdict PillarFlood::find(PatchedSurface& surface, const ScanTriangle& triangle,
 
 Verdict PillarFlood::spread(PatchedSurface& surface, const ScanTriangle& triangle, const OddEdges& odd,
                             std::vector<Pillar>& inside) {
-    for (std::size_t next = 0; next < inside.size(); ++next) {
-        const Fan& fan = surface.fan(inside[next].vertex);
-        if (!fan.closed) {
+    Verdict verdict = Verdict::accepted;
+    for (std::size_t next = 0; verdict == Verdict::accepted && next < inside.size(); ++next) {
+        const std::int32_t v = inside[next].vertex;
+        const Fan& fan = surface.fan(v);
+        const auto impassable = [&](int c) { return surface.cell(c).impassable; };
+        if (!fan.closed || std::any_of(fan.cells.begin(), fan.cells.end(), impassable)) {
             return Verdict::normal_condition;
         }
-        for (const int c : fan.cells) {
-            if (surface.cell(c).impassable) {
-                return Verdict::normal_condition;
-            }
-        }
-        for (const std::int32_t spoke : fan.spokes) {
-            const bool is_inside = contains(inside, spoke);
-            if (odd.contains(inside[next].vertex, spoke)) {
-                ++odd_met_;
-                if (is_inside) {
-                    return Verdict::normal_condition;
-                }
-                continue;
-            }
-            if (is_inside) {
-                continue;
-            }
-            const BaseVertex& vertex = surface.vertex(spoke);
-            const Sign sign = vertex.scan_vertex >= 0 ? Sign::negative : pierces(vertex, triangle);
-            if (sign != Sign::positive) {
-                return sign == Sign::undecided ? Verdict::undecided : Verdict::normal_condition;
-            }
-            inside.push_back(pillar_at(spoke, vertex, triangle));
+        for (std::size_t n = 0; verdict == Verdict::accepted && n < fan.spokes.size(); ++n) {
+            verdict = cross(surface, triangle, odd.contains(v, fan.spokes[n]), fan.spokes[n], inside);
         }
     }
+    return verdict;
+}
+
+Verdict PillarFlood::cross(const PatchedSurface& surface, const ScanTriangle& triangle, bool is_odd, std::int32_t spoke,
+                           std::vector<Pillar>& inside) {
+    const bool is_inside = contains(inside, spoke);
+    if (is_odd) {
+        ++odd_met_;
+        return is_inside ? Verdict::normal_condition : Verdict::accepted;
+    }
+    if (is_inside) {
+        return Verdict::accepted;
+    }
+    const BaseVertex& vertex = surface.vertex(spoke);
+    const Sign sign = vertex.scan_vertex >= 0 ? Sign::negative : pierces(vertex, triangle);
+    if (sign != Sign::positive) {
+        return sign == Sign::undecided ? Verdict::undecided : Verdict::normal_condition;
+    }
+    inside.push_back(pillar_at(spoke, vertex, triangle));
     return Verdict::accepted;
 }
 

@@ -46,6 +46,10 @@ public:
 private:
     [[nodiscard]] Verdict spread(PatchedSurface& surface, const ScanTriangle& triangle, const OddEdges& odd,
                                  std::vector<Pillar>& inside);
+    /// From a vertex inside along a base edge to the vertex `spoke`.
+    [[nodiscard]] Verdict cross(const PatchedSurface& surface, const ScanTriangle& triangle, bool is_odd,
+                                std::int32_t spoke, std::vector<Pillar>& inside);
+
     std::vector<std::int32_t> outside_;
     std::size_t odd_met_ = 0;
 };

@@ -540,21 +540,11 @@ Verdict Validator::test_pillars(const ScanTriangle& q, const std::array<Corner, 
 Verdict Validator::record(std::int32_t scan_face, const std::array<Corner, 3>& corners) {
     for (int k = 0; k < 3; ++k) {
         touch(corners[k].cell, scan_face);
-        if (corners[k].order == nullptr) {
-            continue;
-        }
-        const FanOrder& order = *corners[k].order;
-        const int from = order.position(corners[(k + 1) % 3].scan_vertex);
-        const int forward = order.steps(from, order.position(corners[(k + 2) % 3].scan_vertex));
-        for (int step = 0; step <= forward; ++step) {
-            if ((from + step) % 2 != 0) {
-                const int cell =
-                    order.fan().cells[static_cast<std::size_t>((from + step) / 2) % order.fan().cells.size()];
-                if (surface_.cell(cell).impassable) {
-                    return Verdict::no_preimage;
-                }
-                touch(cell, scan_face);
-            }
+        const bool passable =
+            corners[k].order == nullptr || touch_between(*corners[k].order, corners[(k + 1) % 3].scan_vertex,
+                                                         corners[(k + 2) % 3].scan_vertex, scan_face);
+        if (!passable) {
+            return Verdict::no_preimage;
         }
     }
     for (const TraceCrossing& crossing : crossings_) {
@@ -576,6 +566,19 @@ Verdict Validator::record(std::int32_t scan_face, const std::array<Corner, 3>& c
         }
     }
     return Verdict::accepted;
+}
+
+bool Validator::touch_between(const FanOrder& order, std::int32_t first, std::int32_t second, std::int32_t scan_face) {
+    const int from = order.position(first);
+    const int to = from + order.steps(from, order.position(second));
+    for (int position = from + (from % 2 == 0 ? 1 : 0); position <= to; position += 2) {
+        const int cell = order.fan().cells[static_cast<std::size_t>(position / 2) % order.fan().cells.size()];
+        if (surface_.cell(cell).impassable) {
+            return false;
+        }
+        touch(cell, scan_face);
+    }
+    return true;
 }
 
 Verdict Validator::close_ranges() {
@@ -618,15 +621,9 @@ Verdict Validator::test_faces_beside() {
     // other way round. Few do: boxes sort out nearly all.
     surface_.cells_beside(beside_);
     for (const int outer : beside_) {
-        const CellPlaces there(surface_, outer);
-        for (std::size_t n = 0; n < lifts_.size(); ++n) {
-            const Vec3& q = scan_->positions[trial_.places[n].scan_vertex];
-            if (there.may_hold(q) && surface_.share_corner(outer, lifts_[n].cell)) {
-                const Verdict verdict = there.lacks(q, lifts_[n]);
-                if (verdict != Verdict::accepted) {
-                    return verdict;
-                }
-            }
+        const Verdict verdict = test_places_in(outer);
+        if (verdict != Verdict::accepted) {
+            return verdict;
         }
     }
     here_.clear();
@@ -639,6 +636,21 @@ Verdict Validator::test_faces_beside() {
     }
     for (const int outer : beside_) {
         const Verdict verdict = test_vertices_of(outer);
+        if (verdict != Verdict::accepted) {
+            return verdict;
+        }
+    }
+    return Verdict::accepted;
+}
+
+Verdict Validator::test_places_in(int outer) {
+    const CellPlaces there(surface_, outer);
+    for (std::size_t n = 0; n < lifts_.size(); ++n) {
+        const Vec3& q = scan_->positions[trial_.places[n].scan_vertex];
+        if (!there.may_hold(q) || !surface_.share_corner(outer, lifts_[n].cell)) {
+            continue;
+        }
+        const Verdict verdict = there.lacks(q, lifts_[n]);
         if (verdict != Verdict::accepted) {
             return verdict;
         }

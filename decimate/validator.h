@@ -107,6 +107,7 @@ private:
     [[nodiscard]] Verdict close_ranges();
     [[nodiscard]] Verdict test_alternatives() const;
     [[nodiscard]] Verdict test_faces_beside();
+    [[nodiscard]] Verdict test_places_in(int outer);
     [[nodiscard]] Verdict test_vertices_of(int outer) const;
     [[nodiscard]] bool corner(std::int32_t scan_vertex, Corner& out);
     [[nodiscard]] const FanOrder* order_of(std::int32_t base_vertex);
@@ -115,6 +116,9 @@ private:
     [[nodiscard]] int common_cell(const std::array<Corner, 3>& corners) const;
     [[nodiscard]] Verdict stays_in(int cell, const std::array<Corner, 3>& corners) const;
     void touch(int cell, std::int32_t scan_face);
+    /// The cells between two scan edges that leave a kept vertex; false if one is impassable.
+    [[nodiscard]] bool touch_between(const FanOrder& order, std::int32_t first, std::int32_t second,
+                                     std::int32_t scan_face);
     [[nodiscard]] Verdict reach(int cell, double t, double t_error);
 
     const BaseSurface* base_;
