@@ -109,22 +109,21 @@ Verdict PillarFlood::spread(PatchedSurface& surface, const ScanTriangle& triangl
             return Verdict::normal_condition;
         }
         for (std::size_t n = 0; verdict == Verdict::accepted && n < fan.spokes.size(); ++n) {
-            verdict = cross(surface, triangle, odd.contains(v, fan.spokes[n]), fan.spokes[n], inside);
+            const std::int32_t spoke = fan.spokes[n];
+            const bool is_odd = odd.contains(v, spoke);
+            odd_met_ += is_odd ? 1 : 0;
+            if (contains(inside, spoke)) {
+                verdict = is_odd ? Verdict::normal_condition : Verdict::accepted;
+            } else if (!is_odd) {
+                verdict = enter(surface, triangle, spoke, inside);
+            }
         }
     }
     return verdict;
 }
 
-Verdict PillarFlood::cross(const PatchedSurface& surface, const ScanTriangle& triangle, bool is_odd, std::int32_t spoke,
+Verdict PillarFlood::enter(const PatchedSurface& surface, const ScanTriangle& triangle, std::int32_t spoke,
                            std::vector<Pillar>& inside) {
-    const bool is_inside = contains(inside, spoke);
-    if (is_odd) {
-        ++odd_met_;
-        return is_inside ? Verdict::normal_condition : Verdict::accepted;
-    }
-    if (is_inside) {
-        return Verdict::accepted;
-    }
     const BaseVertex& vertex = surface.vertex(spoke);
     const Sign sign = vertex.scan_vertex >= 0 ? Sign::negative : pierces(vertex, triangle);
     if (sign != Sign::positive) {

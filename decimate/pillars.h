@@ -46,9 +46,9 @@ public:
 private:
     [[nodiscard]] Verdict spread(PatchedSurface& surface, const ScanTriangle& triangle, const OddEdges& odd,
                                  std::vector<Pillar>& inside);
-    /// From a vertex inside along a base edge to the vertex `spoke`.
-    [[nodiscard]] Verdict cross(const PatchedSurface& surface, const ScanTriangle& triangle, bool is_odd,
-                                std::int32_t spoke, std::vector<Pillar>& inside);
+    /// Adds a vertex that must be inside, as an even edge leads there from one that is.
+    [[nodiscard]] static Verdict enter(const PatchedSurface& surface, const ScanTriangle& triangle, std::int32_t spoke,
+                                       std::vector<Pillar>& inside);
 
     std::vector<std::int32_t> outside_;
     std::size_t odd_met_ = 0;
