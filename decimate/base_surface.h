@@ -33,9 +33,8 @@ struct BaseVertex {
 struct BaseFace {
     Range range{0.0, 0.0};                ///< displacements over the face, float32 values
     std::vector<std::int32_t> scan_faces; ///< every scan face whose image meets the closed face
-    std::int32_t first_vertex =
-        -1;                   ///< of the scan vertices that have their place on it, or -1; next_on_face() has the rest
-    bool is_scan_face = true; ///< still the scan face of the same index, represented by itself
+    std::int32_t first_vertex = -1;       ///< of the scan vertices with their place on it, or -1; see next_on_face()
+    bool is_scan_face = true;             ///< still the scan face of the same index, represented by itself
 };
 
 /// The place of a scan vertex on the base mesh.
