@@ -5,6 +5,8 @@
 #include <foldless/decimate/vertex_directions.h>
 #include <foldless/decimate/visible_direction.h>
 
+#include <foldless/io/bounding_box.h>
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -17,21 +19,9 @@ namespace {
 /// Edges asked between two looks at the clock and two calls of the user's progress function.
 constexpr std::size_t check_interval = 64;
 
-/// The mean squared distance, in squared diagonals, up to which an end of an edge is a good place for the vertex that
+/// The root mean square distance, in diagonals, up to which an end of an edge is a good place for the vertex that
 /// is left: a thousandth of the diagonal, far less than the displacements that are left at the end.
-constexpr double good_enough = 1e-6;
-
-double squared_diagonal(const Scan& scan) {
-    Vec3 low = scan.positions[scan.faces[0][0]];
-    Vec3 high = low;
-    for (const Triangle& face : scan.faces) {
-        for (const std::int32_t v : face) {
-            low = low.cwiseMin(scan.positions[v]);
-            high = high.cwiseMax(scan.positions[v]);
-        }
-    }
-    return (high - low).squaredNorm();
-}
+constexpr double good_enough = 1e-3;
 
 /// The corners of a face, turned so that v comes first.
 std::array<Vec3, 3> from_corner(const Triangle& corners, const std::array<Vec3, 3>& positions, std::int32_t v) {
@@ -48,10 +38,10 @@ ValidatorOptions validator_options(const DecimateOptions& options) {
 
 Decimator::Decimator(const Scan& scan, const DecimateOptions& options)
     : scan_(&scan), options_(options), topology_(scan), base_(scan), origin_(scan.positions[scan.faces[0][0]]),
-      good_enough_(good_enough * squared_diagonal(scan)), mobility_(scan.positions.size(), Mobility::free),
-      quadrics_(vertex_quadrics(scan, origin_)), queue_(base_.connectivity().n_edges()),
-      validator_(base_, scan, topology_, validator_options(options)), face_count_(scan.faces.size()),
-      start_(std::chrono::steady_clock::now()) {
+      good_enough_(std::pow(good_enough * bounding_box_diagonal(scan), 2)),
+      mobility_(scan.positions.size(), Mobility::free), quadrics_(vertex_quadrics(scan, origin_)),
+      queue_(base_.connectivity().n_edges()), validator_(base_, scan, topology_, validator_options(options)),
+      face_count_(scan.faces.size()), start_(std::chrono::steady_clock::now()) {
     find_directions();
     enter_all_edges(base_, queue_);
 }

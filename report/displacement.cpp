@@ -22,22 +22,6 @@ Vec3 direction_at(const BaseMesh& base, std::int32_t face, const Vec3& alpha) {
 
 } // namespace
 
-double bounding_box_diagonal(const Scan& scan) {
-    if (scan.faces.empty()) {
-        return 0.0;
-    }
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-    Vec3 high = -low;
-    for (const Triangle& face : scan.faces) {
-        for (const std::int32_t vertex : face) {
-            low = low.cwiseMin(scan.positions[vertex]);
-            high = high.cwiseMax(scan.positions[vertex]);
-        }
-    }
-    const Vec3 size = high - low;
-    return std::hypot(size.x(), size.y(), size.z()); // coordinates may be too large to be squared
-}
-
 DisplacementStatistics with_share_of_diagonal(DisplacementStatistics statistics, double diagonal) {
     const double largest = std::max(std::abs(statistics.min), std::abs(statistics.max));
     statistics.max_relative_to_diagonal = diagonal > 0.0 ? largest / diagonal : 0.0;

@@ -15,9 +15,6 @@ struct DisplacementStatistics {
     double max_relative_to_diagonal = 0.0; ///< the largest magnitude over the diagonal of the scan's bounding box
 };
 
-/// The diagonal of the box around the vertices that faces use, model units; 0 without faces. Time O(n).
-[[nodiscard]] double bounding_box_diagonal(const Scan& scan);
-
 /// The displacements of the scan's vertices on the base mesh. Each place must lie in a face of `base` or be -1.
 /// Time O(scan vertices).
 [[nodiscard]] DisplacementStatistics displacement_statistics(const BaseMesh& base, const Correspondence& correspondence,

@@ -1,5 +1,6 @@
 #include <foldless/tools/info.h>
 
+#include <foldless/io/bounding_box.h>
 #include <foldless/io/errors.h>
 #include <foldless/io/file_type.h>
 #include <foldless/io/read_mesh.h>

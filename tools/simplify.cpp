@@ -1,6 +1,7 @@
 #include <foldless/tools/simplify.h>
 
 #include <foldless/io/atomic_file.h>
+#include <foldless/io/bounding_box.h>
 #include <foldless/io/file_type.h>
 #include <foldless/io/printable.h>
 #include <foldless/io/read_mesh.h>

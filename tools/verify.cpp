@@ -1,5 +1,6 @@
 #include <foldless/tools/verify.h>
 
+#include <foldless/io/bounding_box.h>
 #include <foldless/io/printable.h>
 #include <foldless/io/read_mesh.h>
 #include <foldless/io/write_mesh.h>

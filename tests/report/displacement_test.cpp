@@ -17,24 +17,6 @@ BaseMesh one_triangle() {
     return base;
 }
 
-TEST(BoundingBoxDiagonal, IsThatOfTheVerticesThatFacesUse) {
-    Scan scan;
-    scan.positions = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {100, 100, 100}};
-    scan.faces = {{0, 1, 2}};
-    EXPECT_EQ(bounding_box_diagonal(scan), 5.0);
-}
-
-TEST(BoundingBoxDiagonal, IsZeroWithoutFaces) {
-    EXPECT_EQ(bounding_box_diagonal(Scan{{{1, 2, 3}}, {}}), 0.0);
-}
-
-TEST(BoundingBoxDiagonal, OfHugeCoordinatesIsFinite) {
-    Scan scan;
-    scan.positions = {{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}};
-    scan.faces = {{0, 1, 2}};
-    EXPECT_DOUBLE_EQ(bounding_box_diagonal(scan), std::sqrt(2.0) * 1e200);
-}
-
 TEST(DisplacementStatistics, ScalesTByTheLengthOfTheInterpolatedDirection) {
     const Correspondence correspondence{{0, 0}, {{1, 0, 0}, {0, 0.5, 0.5}}, {0.5, -0.4}};
     const DisplacementStatistics statistics = displacement_statistics(one_triangle(), correspondence, 10.0);
