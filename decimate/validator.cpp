@@ -80,6 +80,10 @@ Verdict Validator::judge(const Patch& patch) {
     Verdict verdict = location_.reset(surface_, options_.uniqueness);
     if (verdict == Verdict::accepted) {
         static_cast<void>(gather(patch.removed));
+        find_cone();
+        verdict = ask_witness();
+    }
+    if (verdict == Verdict::accepted) {
         verdict = locate_vertices(patch);
     }
     if (verdict == Verdict::accepted) {
@@ -87,7 +91,6 @@ Verdict Validator::judge(const Patch& patch) {
     }
     if (verdict == Verdict::accepted) {
         find_wall_planes();
-        find_cone();
     }
     if (verdict == Verdict::accepted && !options_.constant_directions) {
         verdict = order_fans(patch);
@@ -102,6 +105,16 @@ Verdict Validator::judge(const Patch& patch) {
         verdict = test_alternatives();
     }
     return verdict == Verdict::accepted ? test_faces_beside() : verdict;
+}
+
+Verdict Validator::ask_witness() {
+    // The candidates for an edge, and the edges around it, tend to fail at the same scan vertex: asked first, it saves
+    // asking the others. Where it is content it is asked again in its turn, so that nothing depends on it but time.
+    if (witness_ < 0 || base_->place(witness_).face < 0 || !surface_.removes(base_->place(witness_).face)) {
+        return Verdict::accepted;
+    }
+    Lift lift{};
+    return find_place(witness_, lift);
 }
 
 Verdict Validator::locate_vertices(const Patch& patch) {
@@ -128,11 +141,31 @@ Verdict Validator::locate_vertices(const Patch& patch) {
     return Verdict::accepted;
 }
 
-Verdict Validator::locate_vertex(std::int32_t v) {
+Verdict Validator::find_place(std::int32_t v, Lift& lift) {
     ++trial_.retested;
-    Lift lift{};
     const Verdict verdict = location_.locate(scan_->positions[v], lift);
+    return verdict != Verdict::accepted || options_.constant_directions ? verdict : test_normals_at(v, lift);
+}
+
+Verdict Validator::test_normals_at(std::int32_t v, const Lift& lift) const {
+    for (const std::int32_t f : topology_->faces_around(v)) {
+        if (cone_.sees(normals_[f])) {
+            continue;
+        }
+        const Sign sign =
+            normal_condition(surface_.cell(lift.cell).triangle.d, lift.at.alpha, lift.at.alpha_error, normals_[f]);
+        if (sign != Sign::positive) {
+            return verdict_of(sign, Verdict::normal_condition);
+        }
+    }
+    return Verdict::accepted;
+}
+
+Verdict Validator::locate_vertex(std::int32_t v) {
+    Lift lift{};
+    const Verdict verdict = find_place(v, lift);
     if (verdict != Verdict::accepted) {
+        witness_ = v;
         return verdict;
     }
     for (const Lift& other : location_.alternatives()) {
@@ -226,18 +259,18 @@ bool Validator::corner(std::int32_t scan_vertex, Corner& out) {
     const std::int32_t n = moved(scan_vertex);
     if (n >= 0) {
         const Lift& lift = lifts_[n];
-        out = {scan_vertex, lift.cell, nullptr, lift.at.alpha, lift.at.t, lift.at.alpha_error, true};
+        out = {scan_vertex, lift.cell, nullptr, lift.at.alpha, lift.at.t, lift.at.alpha_error};
         return true;
     }
     const Place& place = base_->place(scan_vertex);
     if (place.kept >= 0) {
-        out = {scan_vertex, -1, nullptr, Vec3::Zero(), 0.0, 0.0, false};
+        out = {scan_vertex, -1, nullptr, Vec3::Zero(), 0.0, 0.0};
         if (!options_.constant_directions) {
             out.order = order_of(place.kept);
         }
         return out.order != nullptr || options_.constant_directions;
     }
-    out = {scan_vertex, surface_.cell_of(place.face), nullptr, place.alpha, place.t, 0.0, false};
+    out = {scan_vertex, surface_.cell_of(place.face), nullptr, place.alpha, place.t, 0.0};
     return true;
 }
 
@@ -346,14 +379,6 @@ Verdict Validator::test_inside(std::int32_t scan_face, const std::array<std::int
         alpha[k] = lifts_[moved[k]].at.alpha;
         error[k] = lifts_[moved[k]].at.alpha_error;
     }
-    const ScanNormal& normal = normals_[scan_face];
-    for (int k = 0; !cone_.sees(normal) && k < 3; ++k) {
-        const Verdict verdict = verdict_of(normal_condition(surface_.cell(cell).triangle.d, alpha[k], error[k], normal),
-                                           Verdict::normal_condition);
-        if (verdict != Verdict::accepted) {
-            return verdict;
-        }
-    }
     touch(cell, scan_face);
     return verdict_of(scan_orientation(alpha, error), Verdict::orientation);
 }
@@ -390,7 +415,7 @@ Verdict Validator::test_face(std::int32_t scan_face) {
         }
         return Verdict::no_preimage;
     }
-    Verdict verdict = test_corners(corners, normal);
+    Verdict verdict = test_kept_corners(corners, normal);
     if (verdict != Verdict::accepted) {
         return verdict;
     }
@@ -449,18 +474,13 @@ Verdict Validator::test_constant(std::int32_t scan_face, const std::array<Corner
     return Verdict::no_preimage;
 }
 
-Verdict Validator::test_corners(const std::array<Corner, 3>& corners, const ScanNormal& normal) const {
-    const bool seen_by_all = cone_.sees(normal);
+Verdict Validator::test_kept_corners(const std::array<Corner, 3>& corners, const ScanNormal& normal) const {
     for (const Corner& corner : corners) {
-        Sign sign = Sign::positive;
-        if (corner.order != nullptr) {
-            sign = normal.seen_along(surface_.vertex(corner.order->vertex()).direction);
-        } else if (corner.is_new && !seen_by_all) {
-            sign = normal_condition(surface_.cell(corner.cell).triangle.d, corner.alpha, corner.alpha_error, normal);
-        }
-        const Verdict verdict = verdict_of(sign, Verdict::normal_condition);
-        if (verdict != Verdict::accepted) {
-            return verdict;
+        const Sign sign = corner.order == nullptr
+                              ? Sign::positive
+                              : normal.seen_along(surface_.vertex(corner.order->vertex()).direction);
+        if (sign != Sign::positive) {
+            return verdict_of(sign, Verdict::normal_condition);
         }
     }
     return Verdict::accepted;

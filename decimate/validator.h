@@ -81,11 +81,13 @@ private:
         Vec3 alpha;
         double t;
         double alpha_error;
-        bool is_new; ///< its place is new
     };
 
+    [[nodiscard]] Verdict ask_witness();
     [[nodiscard]] Verdict locate_vertices(const Patch& patch);
     [[nodiscard]] Verdict locate_vertex(std::int32_t v);
+    [[nodiscard]] Verdict find_place(std::int32_t v, Lift& lift);
+    [[nodiscard]] Verdict test_normals_at(std::int32_t v, const Lift& lift) const;
     [[nodiscard]] Verdict reach_kept_corners(const Patch& patch);
     void find_wall_planes();
     [[nodiscard]] Verdict order_fans(const Patch& patch);
@@ -101,7 +103,7 @@ private:
     [[nodiscard]] Verdict test_spanning(const ScanTriangle& q, const std::array<Corner, 3>& corners,
                                         const ScanNormal& normal);
     [[nodiscard]] Verdict trace(const Corner& a, const Corner& b);
-    [[nodiscard]] Verdict test_corners(const std::array<Corner, 3>& corners, const ScanNormal& normal) const;
+    [[nodiscard]] Verdict test_kept_corners(const std::array<Corner, 3>& corners, const ScanNormal& normal) const;
     [[nodiscard]] Verdict test_crossings(const ScanNormal& normal) const;
     [[nodiscard]] Verdict test_pillars(const ScanTriangle& q, const std::array<Corner, 3>& corners);
     [[nodiscard]] Verdict close_ranges();
@@ -149,6 +151,7 @@ private:
     std::vector<WallPlanes> planes_; ///< of the new cells, over the displacements of the places on them
     std::vector<unsigned> behind_;   ///< for each of the places, WallPlanes::behind()
     std::vector<std::pair<std::int32_t, Lift>> alternatives_;
+    std::int32_t witness_ = -1; ///< the scan vertex for which the last patch was refused that was for one
 
     std::vector<FanOrder> orders_;
     std::size_t orders_used_ = 0;

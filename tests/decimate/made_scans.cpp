@@ -175,6 +175,21 @@ Scan skew_cubes(int k) {
     return scan;
 }
 
+Scan spindle(int count, int turns) {
+    Scan scan{{{0, 0, 1}, {0, 0, -1}}, {}, false};
+    for (int n = 0; n < count; ++n) {
+        const double angle = 2 * std::numbers::pi * turns * n / count;
+        scan.positions.emplace_back(std::cos(angle), std::sin(angle), 0.01 * (n + 1));
+    }
+    for (int n = 0; n < count; ++n) {
+        const std::int32_t a = 2 + n;
+        const std::int32_t b = 2 + (n + 1) % count;
+        scan.faces.push_back({a, b, 0});
+        scan.faces.push_back({b, a, 1});
+    }
+    return scan;
+}
+
 std::int32_t vertex_at(const Scan& scan, const Vec3& position) {
     const auto found = std::find(scan.positions.begin(), scan.positions.end(), position);
     return found == scan.positions.end() ? -1 : static_cast<std::int32_t>(found - scan.positions.begin());

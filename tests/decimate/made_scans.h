@@ -28,6 +28,9 @@ namespace foldless::test {
 /// at the origin, and it is the only such vertex. Every side is cut into k * k cells; 36 k^2 faces, closed, genus 0.
 [[nodiscard]] Scan skew_cubes(int k);
 
+/// A closed scan around the z axis: poles 0 and 1, and `count` vertices that go `turns` times round between them.
+[[nodiscard]] Scan spindle(int count, int turns);
+
 /// The vertex with the given position, or -1.
 [[nodiscard]] std::int32_t vertex_at(const Scan& scan, const Vec3& position);
 

@@ -17,8 +17,10 @@
 namespace foldless {
 namespace {
 
+using test::bipyramid;
 using test::moved;
 using test::pyramid;
+using test::spindle;
 using test::World;
 using testing::ElementsAre;
 
@@ -146,10 +148,19 @@ Verdict judge_two_tops(const Vec3& first, const Vec3& second, const std::vector<
     return world.judge(patch);
 }
 
+// In the wrong order the face between them is seen from behind.
 TEST(Validator, RefusesScanEdgesInTheWrongOrderAroundAKeptVertex) {
     const std::vector<Triangle> faces{{0, 1, 3}, {1, 2, 3}};
     EXPECT_EQ(judge_two_tops({0.35, 0.4, 0.1}, {0.6, 0.65, 0.1}, faces), Verdict::accepted);
-    EXPECT_EQ(judge_two_tops({0.6, 0.65, 0.1}, {0.35, 0.4, 0.1}, faces), Verdict::orientation);
+    EXPECT_EQ(judge_two_tops({0.6, 0.65, 0.1}, {0.35, 0.4, 0.1}, faces), Verdict::normal_condition);
+}
+
+// Every scan face is seen from in front, but around the poles they go round twice.
+TEST(Validator, RefusesAScanThatGoesRoundAKeptVertexTwice) {
+    World once(spindle(7, 1));
+    EXPECT_EQ(once.judge(bipyramid(once, 4)), Verdict::accepted);
+    World twice(spindle(7, 2));
+    EXPECT_EQ(twice.judge(bipyramid(twice, 4)), Verdict::orientation);
 }
 
 // Seen from above 4 and 5 change sides within one face: the faces between them are seen from behind.

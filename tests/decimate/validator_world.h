@@ -8,8 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 namespace foldless {
@@ -100,6 +103,29 @@ private:
 /// A vertex of a patch that is no scan vertex.
 inline PatchVertex moved(std::int32_t index, const Vec3& position, const Vec3& direction = Vec3::UnitZ()) {
     return {index, {position, direction, -1}};
+}
+
+/// The patch that puts a bipyramid with as many corners in the place of a spindle, its poles kept, turned a little.
+inline Patch bipyramid(const World& world, int corners) {
+    const auto first = static_cast<std::int32_t>(world.scan().positions.size()); // the index of a new vertex
+    std::vector<Triangle> faces;
+    for (int n = 0; n < corners; ++n) {
+        faces.push_back({first + n, first + (n + 1) % corners, 0});
+        faces.push_back({first + (n + 1) % corners, first + n, 1});
+    }
+    Patch patch = world.replacing_all(faces);
+    for (const auto& [pole, direction] : {std::pair{0, Vec3(0, 0, 1)}, std::pair{1, Vec3(0, 0, -1)}}) {
+        patch.changed.push_back({pole, {world.scan().positions[pole], direction, pole}});
+    }
+    for (std::int32_t v = 2; v < first; ++v) {
+        patch.changed.push_back(moved(v, world.scan().positions[v]));
+    }
+    for (int n = 0; n < corners; ++n) {
+        const double angle = 2 * std::numbers::pi * n / corners + 0.2;
+        const Vec3 outwards(std::cos(angle), std::sin(angle), 0);
+        patch.changed.push_back(moved(first + n, outwards, outwards));
+    }
+    return patch;
 }
 
 } // namespace foldless::test
