@@ -7,44 +7,64 @@ namespace foldless {
 
 Verdict FanOrder::reset(std::int32_t v, PatchedSurface& surface, const Scan& scan, const ScanTopology& topology) {
     vertex_ = v;
-    edges_.clear();
     fan_ = &surface.fan(v);
-    spoke_scan_vertices_.clear();
-    for (const std::int32_t spoke : fan_->spokes) {
-        spoke_scan_vertices_.push_back(surface.vertex(spoke).scan_vertex);
-    }
-    const Verdict turns = base_turns_once(surface);
-    if (turns != Verdict::accepted) {
-        return turns;
-    }
+    look_along_spokes(surface);
     const std::int32_t scan_vertex = surface.vertex(v).scan_vertex;
+    Verdict verdict = base_turns_once(surface);
+    if (verdict == Verdict::accepted) {
+        verdict = sort_edges(scan_vertex, surface, scan, topology);
+    }
+    return verdict == Verdict::accepted ? goes_round_once(scan_vertex, scan, topology) : verdict;
+}
+
+void FanOrder::look_along_spokes(const PatchedSurface& surface) {
+    const BaseVertex& vertex = surface.vertex(vertex_);
+    const ViewAlong view(vertex.direction);
+    spokes_.clear();
+    for (const std::int32_t spoke : fan_->spokes) {
+        const BaseVertex& end = surface.vertex(spoke);
+        spokes_.push_back({end.scan_vertex, view.see(end.position - vertex.position)});
+    }
+}
+
+Verdict FanOrder::sort_edges(std::int32_t scan_vertex, const PatchedSurface& surface, const Scan& scan,
+                             const ScanTopology& topology) {
+    edges_.clear();
+    const Vec3& centre = scan.positions[scan_vertex];
+    const ViewAlong view(surface.vertex(vertex_).direction);
     for (const std::int32_t f : topology.faces_around(scan_vertex)) {
         const Triangle& face = scan.faces[f];
         const int k = face[0] == scan_vertex ? 0 : face[1] == scan_vertex ? 1 : 2;
         // Every edge is the first of one face, but for the last at a border.
         const std::int32_t first = face[(k + 1) % 3];
         const std::int32_t second = face[(k + 2) % 3];
-        Verdict verdict = add_edge(first, surface, scan);
+        Verdict verdict = add_edge(first, view.see(scan.positions[first] - centre), surface);
         if (verdict == Verdict::accepted && topology.border_successor(second) == scan_vertex) {
-            verdict = add_edge(second, surface, scan);
+            verdict = add_edge(second, view.see(scan.positions[second] - centre), surface);
         }
         if (verdict != Verdict::accepted) {
             return verdict;
         }
     }
-    return goes_round_once(scan_vertex, scan, topology);
+    return Verdict::accepted;
 }
 
-Verdict FanOrder::add_edge(std::int32_t neighbour, PatchedSurface& surface, const Scan& scan) {
-    int position = 0;
-    const Verdict verdict = find_position(neighbour, surface, scan, position);
+Verdict FanOrder::add_edge(std::int32_t neighbour, const ViewAlong::Seen& edge, const PatchedSurface& surface) {
+    const auto is_spoke = [&](const Spoke& spoke) { return spoke.scan_vertex == neighbour; };
+    const auto spoke = std::find_if(spokes_.begin(), spokes_.end(), is_spoke);
+    if (spoke != spokes_.end()) {
+        edges_.push_back({neighbour, static_cast<int>(2 * (spoke - spokes_.begin()))});
+        return Verdict::accepted;
+    }
+    int cell = 0;
+    const Verdict verdict = find_cell(edge, surface, cell);
     if (verdict == Verdict::accepted) {
-        edges_.push_back({neighbour, position});
+        edges_.push_back({neighbour, 2 * cell + 1});
     }
     return verdict;
 }
 
-Verdict FanOrder::base_turns_once(PatchedSurface& surface) const {
+Verdict FanOrder::base_turns_once(const PatchedSurface& surface) const {
     // Each sector of a moving cell turns by less than half a turn (J > 0), so a run of them turns by a full turn or
     // more exactly if a later sector holds the direction of its first edge again. In a cycle the last sector ends
     // there.
@@ -55,7 +75,7 @@ Verdict FanOrder::base_turns_once(PatchedSurface& surface) const {
         ++start;
     }
     if (start == n) {
-        return no_sector_holds(0, 1, fan_->closed ? n - 1 : n, surface);
+        return no_sector_holds(0, 1, fan_->closed ? n - 1 : n);
     }
     // Runs between impassable cells: from each moving cell that follows one (or the beginning of an open fan).
     for (std::size_t c = 0; c < n; ++c) {
@@ -67,7 +87,7 @@ Verdict FanOrder::base_turns_once(PatchedSurface& surface) const {
         while (!impassable(last) && (fan_->closed || last < n)) {
             ++last;
         }
-        const Verdict verdict = no_sector_holds(c, c + 1, last, surface);
+        const Verdict verdict = no_sector_holds(c, c + 1, last);
         if (verdict != Verdict::accepted) {
             return verdict;
         }
@@ -75,50 +95,37 @@ Verdict FanOrder::base_turns_once(PatchedSurface& surface) const {
     return Verdict::accepted;
 }
 
-Verdict FanOrder::no_sector_holds(std::size_t spoke, std::size_t first, std::size_t last,
-                                  PatchedSurface& surface) const {
-    const Vec3 e = surface.vertex(fan_->spokes[spoke]).position - surface.vertex(vertex_).position;
+Verdict FanOrder::no_sector_holds(std::size_t spoke, std::size_t first, std::size_t last) const {
+    const ViewAlong::Seen& edge = spokes_[spoke].seen;
     for (std::size_t c = first; c < last; ++c) {
-        const int cell = fan_->cells[c % fan_->cells.size()];
-        const int k = surface.corner_of(cell, vertex_);
-        const Sign right = surface.cell(cell).wall((k + 2) % 3).passes_at_corner(e, 0);
-        if (right == Sign::positive) {
+        const Sign from_right = turn(spokes_[c % spokes_.size()].seen, edge);
+        if (from_right == Sign::negative) {
             continue;
         }
-        const Sign left = surface.cell(cell).wall((k + 1) % 3).passes_at_corner(e, 1);
-        if (right == Sign::negative && left == Sign::negative) {
+        const Sign to_left = turn(edge, spokes_[(c + 1) % spokes_.size()].seen);
+        if (from_right == Sign::positive && to_left == Sign::positive) {
             return Verdict::jacobian;
         }
-        if (left != Sign::positive) {
+        if (to_left != Sign::negative) {
             return Verdict::undecided;
         }
     }
     return Verdict::accepted;
 }
 
-Verdict FanOrder::find_position(std::int32_t neighbour, PatchedSurface& surface, const Scan& scan, int& out) const {
-    const auto spoke = std::find(spoke_scan_vertices_.begin(), spoke_scan_vertices_.end(), neighbour);
-    if (spoke != spoke_scan_vertices_.end()) {
-        out = static_cast<int>(2 * (spoke - spoke_scan_vertices_.begin()));
-        return Verdict::accepted;
-    }
-    const Vec3 e = scan.positions[neighbour] - surface.vertex(vertex_).position;
+Verdict FanOrder::find_cell(const ViewAlong::Seen& edge, const PatchedSurface& surface, int& cell) const {
     bool undecided = false;
     for (std::size_t c = 0; c < fan_->cells.size(); ++c) {
-        const Cell& cell = surface.cell(fan_->cells[c]);
-        const int k = surface.corner_of(fan_->cells[c], vertex_);
-        // The wall opposite corner k + 2 runs from k to k + 1, so corner k is at its lambda = 0; the one opposite k + 1
-        // runs from k + 2 to k, so corner k is at lambda = 1.
-        const Sign right = cell.wall((k + 2) % 3).passes_at_corner(e, 0);
-        if (right == Sign::positive) {
+        const Sign from_right = turn(spokes_[c].seen, edge);
+        if (from_right == Sign::negative) {
             continue;
         }
-        const Sign left = cell.wall((k + 1) % 3).passes_at_corner(e, 1);
-        if (right == Sign::negative && left == Sign::negative) {
-            out = static_cast<int>(2 * c + 1);
-            return cell.impassable ? Verdict::no_preimage : Verdict::accepted;
+        const Sign to_left = turn(edge, spokes_[(c + 1) % spokes_.size()].seen);
+        if (from_right == Sign::positive && to_left == Sign::positive) {
+            cell = static_cast<int>(c);
+            return surface.cell(fan_->cells[c]).impassable ? Verdict::no_preimage : Verdict::accepted;
         }
-        undecided = undecided || left != Sign::positive;
+        undecided = undecided || to_left != Sign::negative;
     }
     return undecided ? Verdict::undecided : Verdict::no_preimage;
 }

@@ -5,6 +5,7 @@
 #include <foldless/decimate/patched_surface.h>
 #include <foldless/decimate/scan_topology.h>
 #include <foldless/decimate/verdict.h>
+#include <foldless/predicates/view_along.h>
 
 #include <cstdint>
 #include <vector>
@@ -41,18 +42,24 @@ private:
         std::int32_t neighbour;
         int position;
     };
-    [[nodiscard]] Verdict add_edge(std::int32_t neighbour, PatchedSurface& surface, const Scan& scan);
-    [[nodiscard]] Verdict find_position(std::int32_t neighbour, PatchedSurface& surface, const Scan& scan,
-                                        int& out) const;
-    [[nodiscard]] Verdict base_turns_once(PatchedSurface& surface) const;
-    [[nodiscard]] Verdict no_sector_holds(std::size_t spoke, std::size_t first, std::size_t last,
-                                          PatchedSurface& surface) const;
+    void look_along_spokes(const PatchedSurface& surface);
+    [[nodiscard]] Verdict sort_edges(std::int32_t scan_vertex, const PatchedSurface& surface, const Scan& scan,
+                                     const ScanTopology& topology);
+    [[nodiscard]] Verdict add_edge(std::int32_t neighbour, const ViewAlong::Seen& edge, const PatchedSurface& surface);
+    [[nodiscard]] Verdict find_cell(const ViewAlong::Seen& edge, const PatchedSurface& surface, int& cell) const;
+    [[nodiscard]] Verdict base_turns_once(const PatchedSurface& surface) const;
+    [[nodiscard]] Verdict no_sector_holds(std::size_t spoke, std::size_t first, std::size_t last) const;
     [[nodiscard]] Verdict goes_round_once(std::int32_t scan_vertex, const Scan& scan,
                                           const ScanTopology& topology) const;
 
     std::int32_t vertex_ = -1;
     const Fan* fan_ = nullptr;
-    std::vector<std::int32_t> spoke_scan_vertices_; ///< what the far ends of the base edges are kept as, or -1
+    /// A base edge that leaves the vertex.
+    struct Spoke {
+        std::int32_t scan_vertex; ///< what its far end is kept as, or -1
+        ViewAlong::Seen seen;     ///< along the direction of the vertex
+    };
+    std::vector<Spoke> spokes_;
     std::vector<Edge> edges_;
 };
 
