@@ -2,6 +2,7 @@
 
 #include <foldless/decimate/collapse.h>
 #include <foldless/decimate/edge_order.h>
+#include <foldless/decimate/local_order.h>
 #include <foldless/decimate/placement.h>
 #include <foldless/decimate/quadric.h>
 #include <foldless/io/defects.h>
@@ -120,7 +121,8 @@ void UnguardedLoop::commit() {
 UnguardedResult unguarded_decimate(const Scan& scan, const DecimateOptions& options) {
     const double start = process_cpu_seconds();
     require_no_defects(scan);
-    UnguardedLoop loop(scan, options);
+    const Scan ordered = in_order(scan, local_order(scan));
+    UnguardedLoop loop(ordered, options);
     const double set_up = process_cpu_seconds();
     loop.run();
     UnguardedResult result = loop.result();

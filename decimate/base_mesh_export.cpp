@@ -7,54 +7,59 @@
 namespace foldless {
 namespace {
 
-/// New indices of the faces and vertices that are left, -1 for the others.
-struct Renumbering {
-    std::vector<std::int32_t> faces;
+/// The vertices and faces that are left, in the order in which they are written.
+struct Survivors {
     std::vector<std::int32_t> vertices;
+    std::vector<std::int32_t> faces;
+    std::vector<std::int32_t> vertex_numbers; ///< the place of each in that order, -1 for what is not left
+    std::vector<std::int32_t> face_numbers;
 };
 
-Renumbering renumber(const BaseSurface& surface) {
-    Renumbering result{std::vector<std::int32_t>(surface.face_slots(), -1),
-                       std::vector<std::int32_t>(surface.vertex_slots(), -1)};
-    std::int32_t count = 0;
-    for (const auto face : surface.connectivity().faces()) {
-        result.faces[face.idx()] = count++;
-        for (const std::int32_t v : surface.corners(face.idx())) {
-            result.vertices[v] = 0;
-        }
-    }
-    count = 0;
-    for (std::int32_t& v : result.vertices) {
-        if (v == 0) {
-            v = count++;
+/// Those of the indices that are marked with 0, in the order in which they were before; numbers them in their marks.
+std::vector<std::int32_t> number(const std::vector<std::int32_t>& order, std::vector<std::int32_t>& marks) {
+    std::vector<std::int32_t> result;
+    for (const std::int32_t index : inverse(order)) {
+        if (marks[index] == 0) {
+            marks[index] = static_cast<std::int32_t>(result.size());
+            result.push_back(index);
         }
     }
     return result;
 }
 
-void export_vertices(const BaseSurface& surface, const Renumbering& numbers, bool directions, BaseMesh& base) {
-    for (std::size_t v = 0; v < numbers.vertices.size(); ++v) {
-        if (numbers.vertices[v] < 0) {
-            continue;
+Survivors survivors_of(const BaseSurface& surface, const LocalOrder& order) {
+    Survivors left;
+    left.vertex_numbers.assign(surface.vertex_slots(), -1);
+    left.face_numbers.assign(surface.face_slots(), -1);
+    for (const auto face : surface.connectivity().faces()) {
+        left.face_numbers[face.idx()] = 0;
+        for (const std::int32_t v : surface.corners(face.idx())) {
+            left.vertex_numbers[v] = 0;
         }
-        const BaseVertex& vertex = surface.vertex(static_cast<std::int32_t>(v));
+    }
+    left.vertices = number(order.vertices, left.vertex_numbers);
+    left.faces = number(order.faces, left.face_numbers);
+    return left;
+}
+
+void export_vertices(const BaseSurface& surface, const Survivors& left, const LocalOrder& order, bool directions,
+                     BaseMesh& base) {
+    for (const std::int32_t v : left.vertices) {
+        const BaseVertex& vertex = surface.vertex(v);
         base.positions.push_back(vertex.position);
-        base.scan_vertex.push_back(vertex.scan_vertex);
+        base.scan_vertex.push_back(vertex.scan_vertex < 0 ? -1 : order.vertices[vertex.scan_vertex]);
         if (directions) {
             base.directions.push_back(vertex.direction);
         }
     }
 }
 
-void export_faces(const BaseSurface& surface, const Renumbering& numbers, bool constant_directions, BaseMesh& base) {
-    for (std::size_t f = 0; f < numbers.faces.size(); ++f) {
-        if (numbers.faces[f] < 0) {
-            continue;
-        }
-        const Triangle corners = surface.corners(static_cast<std::int32_t>(f));
+void export_faces(const BaseSurface& surface, const Survivors& left, bool constant_directions, BaseMesh& base) {
+    for (const std::int32_t f : left.faces) {
+        const Triangle corners = surface.corners(f);
         base.faces.push_back(
-            {numbers.vertices[corners[0]], numbers.vertices[corners[1]], numbers.vertices[corners[2]]});
-        base.ranges.push_back(surface.face(static_cast<std::int32_t>(f)).range);
+            {left.vertex_numbers[corners[0]], left.vertex_numbers[corners[1]], left.vertex_numbers[corners[2]]});
+        base.ranges.push_back(surface.face(f).range);
         if (constant_directions) {
             base.face_directions.push_back(
                 face_direction({surface.vertex(corners[0]).position, surface.vertex(corners[1]).position,
@@ -63,11 +68,15 @@ void export_faces(const BaseSurface& surface, const Renumbering& numbers, bool c
     }
 }
 
-void export_places(const BaseSurface& surface, const Renumbering& numbers, Correspondence& correspondence) {
+void export_places(const BaseSurface& surface, const Survivors& left, const LocalOrder& order,
+                   Correspondence& correspondence) {
     const std::size_t count = surface.vertex_slots();
     correspondence.base_face.assign(count, -1);
     correspondence.alpha.assign(count, Vec3::Zero());
     correspondence.t.assign(count, 0.0);
+    const auto written_first = [&](std::int32_t a, std::int32_t b) {
+        return left.face_numbers[a] < left.face_numbers[b];
+    };
     std::vector<std::int32_t> around;
     for (std::size_t v = 0; v < count; ++v) {
         const Place& place = surface.place(static_cast<std::int32_t>(v));
@@ -78,26 +87,27 @@ void export_places(const BaseSurface& surface, const Renumbering& numbers, Corre
             if (around.empty()) {
                 continue; // no face uses it
             }
-            face = *std::min_element(around.begin(), around.end());
+            face = *std::min_element(around.begin(), around.end(), written_first);
             const Triangle corners = surface.corners(face);
             alpha = Vec3::Unit(std::find(corners.begin(), corners.end(), place.kept) - corners.begin());
         }
-        correspondence.base_face[v] = numbers.faces[face];
-        correspondence.alpha[v] = alpha;
-        correspondence.t[v] = place.t;
+        const std::int32_t before = order.vertices[v];
+        correspondence.base_face[before] = left.face_numbers[face];
+        correspondence.alpha[before] = alpha;
+        correspondence.t[before] = place.t;
     }
 }
 
 } // namespace
 
-void export_base_mesh(const BaseSurface& surface, const Scan& scan, bool constant_directions, BaseMesh& base,
-                      Correspondence& correspondence) {
-    const Renumbering numbers = renumber(surface);
+void export_base_mesh(const BaseSurface& surface, const LocalOrder& order, bool constant_directions, bool float32,
+                      BaseMesh& base, Correspondence& correspondence) {
+    const Survivors left = survivors_of(surface, order);
     base = {};
-    base.float32 = scan.float32;
-    export_vertices(surface, numbers, !constant_directions, base);
-    export_faces(surface, numbers, constant_directions, base);
-    export_places(surface, numbers, correspondence);
+    base.float32 = float32;
+    export_vertices(surface, left, order, !constant_directions, base);
+    export_faces(surface, left, constant_directions, base);
+    export_places(surface, left, order, correspondence);
 }
 
 } // namespace foldless

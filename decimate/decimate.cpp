@@ -2,6 +2,7 @@
 
 #include <foldless/decimate/base_mesh_export.h>
 #include <foldless/decimate/decimator.h>
+#include <foldless/decimate/local_order.h>
 #include <foldless/io/defects.h>
 
 #include <tbb/global_control.h>
@@ -44,14 +45,16 @@ DecimateResult decimate(const Scan& scan, const DecimateOptions& options) {
     }
     const Stopwatch setup;
     require_no_defects(scan);
-    Decimator decimator(scan, options);
+    const LocalOrder order = local_order(scan);
+    const Scan ordered = in_order(scan, order);
+    Decimator decimator(ordered, options);
     const double setup_seconds = setup.wall();
     const double setup_cpu_seconds = setup.cpu();
     const Stopwatch loop;
     DecimateResult result;
     result.stop_reason = decimator.run();
     result.statistics = decimator.statistics();
-    export_base_mesh(decimator.base(), scan, options.directions == Directions::face, result.base,
+    export_base_mesh(decimator.base(), order, options.directions == Directions::face, scan.float32, result.base,
                      result.correspondence);
     result.statistics.setup_seconds = setup_seconds;
     result.statistics.setup_cpu_seconds = setup_cpu_seconds;

@@ -82,7 +82,8 @@ struct DecimateResult {
 ///
 /// The result is a valid base mesh whenever the call returns: every state is valid by construction, so a time limit or
 /// a cancelled progress callback costs nothing but reduction. Deterministic: the result depends on the scan and on the
-/// options other than `threads`, `time_limit` and `progress`.
+/// options other than `threads`, `time_limit` and `progress`; on the numbering of the scan only where two vertices have
+/// the same position.
 ///
 /// \throws RefusedMesh if `scan` has a defect (see io/defects.h).
 /// Time O(n log n) in practice; see docs/results.md. (Collins & Hilton 2002, section 5)
