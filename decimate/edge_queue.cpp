@@ -1,18 +1,18 @@
 #include <foldless/decimate/edge_queue.h>
 
-#include <tuple>
+#include <bit>
 
 namespace foldless {
 
-bool EdgeQueue::Entry::operator>(const Entry& other) const {
-    return std::tie(asked_before, squared_length, edge) >
-           std::tie(other.asked_before, other.squared_length, other.edge);
+std::uint64_t EdgeQueue::rank(bool refused_before, double squared_length) {
+    // The bits of doubles that are not negative are in the order of the numbers; the sign bit is free.
+    return std::bit_cast<std::uint64_t>(squared_length) | static_cast<std::uint64_t>(refused_before) << 63;
 }
 
 void EdgeQueue::push(std::int32_t edge, double squared_length) {
     State& state = states_[edge];
     state = {squared_length, state.stamp + 1, false};
-    queue_.push({false, squared_length, edge, state.stamp});
+    queue_.push({rank(false, squared_length), edge, state.stamp});
 }
 
 void EdgeQueue::erase(std::int32_t edge) {
@@ -24,7 +24,7 @@ void EdgeQueue::wake(std::int32_t edge) {
     State& state = states_[edge];
     if (state.refused) {
         state.refused = false;
-        queue_.push({true, state.squared_length, edge, ++state.stamp});
+        queue_.push({rank(true, state.squared_length), edge, ++state.stamp});
     }
 }
 

@@ -28,13 +28,16 @@ public:
     [[nodiscard]] std::optional<std::int32_t> pop();
 
 private:
+    /// 16 bytes, and compared without a branch: heaps compare what no processor can predict.
     struct Entry {
-        bool asked_before;
-        double squared_length;
+        std::uint64_t rank; ///< edges that were refused behind the others, then by length
         std::int32_t edge;
         std::uint32_t stamp;
-        [[nodiscard]] bool operator>(const Entry& other) const;
+        [[nodiscard]] bool operator>(const Entry& other) const {
+            return (rank > other.rank) | ((rank == other.rank) & (edge > other.edge));
+        }
     };
+    [[nodiscard]] static std::uint64_t rank(bool refused_before, double squared_length);
     struct State {
         double squared_length = 0;
         std::uint32_t stamp = 0; ///< entries with another stamp are stale

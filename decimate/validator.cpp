@@ -80,7 +80,6 @@ Verdict Validator::judge(const Patch& patch) {
     Verdict verdict = location_.reset(surface_, options_.uniqueness);
     if (verdict == Verdict::accepted) {
         static_cast<void>(gather(patch.removed));
-        find_cone();
         verdict = ask_witness();
     }
     if (verdict == Verdict::accepted) {
@@ -91,6 +90,7 @@ Verdict Validator::judge(const Patch& patch) {
     }
     if (verdict == Verdict::accepted) {
         find_wall_planes();
+        find_cone();
     }
     if (verdict == Verdict::accepted && !options_.constant_directions) {
         verdict = order_fans(patch);
@@ -148,12 +148,9 @@ Verdict Validator::find_place(std::int32_t v, Lift& lift) {
 }
 
 Verdict Validator::test_normals_at(std::int32_t v, const Lift& lift) const {
+    const InterpolatedDirection d(surface_.cell(lift.cell).triangle.d, lift.at.alpha, lift.at.alpha_error);
     for (const std::int32_t f : topology_->faces_around(v)) {
-        if (cone_.sees(normals_[f])) {
-            continue;
-        }
-        const Sign sign =
-            normal_condition(surface_.cell(lift.cell).triangle.d, lift.at.alpha, lift.at.alpha_error, normals_[f]);
+        const Sign sign = d.sees(normals_[f]);
         if (sign != Sign::positive) {
             return verdict_of(sign, Verdict::normal_condition);
         }

@@ -35,18 +35,14 @@ Sign seen_along(const Vec3& d, const ScanTriangle& triangle) {
     return sign_of(dot(exactly(d), cross(exactly(triangle[1]) - q0, exactly(triangle[2]) - q0)));
 }
 
-Sign normal_condition(const std::array<Vec3, 3>& directions, const Vec3& alpha, double alpha_error,
-                      const ScanNormal& normal) {
-    double m = 0;
-    double error = 0;
+InterpolatedDirection::InterpolatedDirection(const std::array<Vec3, 3>& directions, const Vec3& alpha,
+                                             double alpha_error)
+    : d_(alpha[0] * directions[0] + alpha[1] * directions[1] + alpha[2] * directions[2]), component_error_(0) {
+    // The products and the sums round by at most 3 units of |alpha_i d_i|; 4, and the factor, cover the second order.
     for (int i = 0; i < 3; ++i) {
-        const double m_i = directions[i].dot(normal.value());
-        m += alpha[i] * m_i;
-        // The product and the sums round by at most 3 units of |alpha_i m_i|.
-        error += std::abs(alpha[i]) * normal.error(directions[i]) +
-                 (alpha_error + 4 * unit_roundoff * std::abs(alpha[i])) * (std::abs(m_i) + normal.error(directions[i]));
+        component_error_ += (alpha_error + 4 * unit_roundoff * std::abs(alpha[i])) * max_norm(directions[i]);
     }
-    return sign_within(m, error);
+    component_error_ *= 1 + 16 * unit_roundoff;
 }
 
 } // namespace foldless

@@ -35,9 +35,29 @@ private:
 /// The sign of d.n for the scan triangle: plain doubles first, then intervals.
 [[nodiscard]] Sign seen_along(const Vec3& d, const ScanTriangle& triangle);
 
-/// The sign of m(alpha) = sum alpha_i d_i.n, with alpha known up to `alpha_error` in each component. (Collins & Hilton
-/// 2002, eq. 4)
-[[nodiscard]] Sign normal_condition(const std::array<Vec3, 3>& directions, const Vec3& alpha, double alpha_error,
-                                    const ScanNormal& normal);
+/// d(alpha) = sum alpha_i d_i with a bound on its error: one point of a base face, asked about many scan faces.
+class InterpolatedDirection {
+public:
+    /// alpha is known up to `alpha_error` in each component.
+    InterpolatedDirection(const std::array<Vec3, 3>& directions, const Vec3& alpha, double alpha_error);
+
+    /// The sign of m(alpha) = d(alpha).n. (Collins & Hilton 2002, eq. 4)
+    [[nodiscard]] Sign sees(const ScanNormal& normal) const {
+        // (d + e).(n + f) - d.n = e.n + (d + e).f, and again e.f because the n at hand is n + f.
+        const double error = normal.error(d_) + component_error_ * sum_norm(normal.value()) +
+                             normal.error(Vec3::Constant(component_error_));
+        return sign_within(d_.dot(normal.value()), error);
+    }
+
+private:
+    Vec3 d_;
+    double component_error_;
+};
+
+/// The sign of m(alpha) at one point for one scan face. (Collins & Hilton 2002, eq. 4)
+[[nodiscard]] inline Sign normal_condition(const std::array<Vec3, 3>& directions, const Vec3& alpha, double alpha_error,
+                                           const ScanNormal& normal) {
+    return InterpolatedDirection(directions, alpha, alpha_error).sees(normal);
+}
 
 } // namespace foldless
