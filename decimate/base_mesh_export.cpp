@@ -83,7 +83,8 @@ void export_places(const BaseSurface& surface, const Survivors& left, const Loca
         std::int32_t face = place.face;
         Vec3 alpha = place.alpha;
         if (place.kept >= 0) {
-            surface.faces_around(place.kept, around);
+            around.clear();
+            surface.append_faces_around(place.kept, around);
             if (around.empty()) {
                 continue; // no face uses it
             }

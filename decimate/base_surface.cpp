@@ -48,8 +48,7 @@ std::int32_t BaseSurface::neighbour(std::int32_t f, int k) const {
     return connectivity_.opposite_face_handle(h).idx();
 }
 
-void BaseSurface::faces_around(std::int32_t v, std::vector<std::int32_t>& out) const {
-    out.clear();
+void BaseSurface::append_faces_around(std::int32_t v, std::vector<std::int32_t>& out) const {
     const Halfedge outgoing = connectivity_.halfedge_handle(OpenMesh::VertexHandle(v));
     if (!outgoing.is_valid()) {
         return;

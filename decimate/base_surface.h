@@ -69,8 +69,8 @@ public:
     [[nodiscard]] Triangle corners(std::int32_t f) const;
     /// The face across the edge opposite corner k (in the order of corners()), or -1.
     [[nodiscard]] std::int32_t neighbour(std::int32_t f, int k) const;
-    /// The faces around a vertex, counter-clockwise, a fan from border to border or a full cycle.
-    void faces_around(std::int32_t v, std::vector<std::int32_t>& out) const;
+    /// Appends the faces around a vertex, counter-clockwise, a fan from border to border or a full cycle.
+    void append_faces_around(std::int32_t v, std::vector<std::int32_t>& out) const;
     /// The first of them; the vertex must have one.
     [[nodiscard]] std::int32_t any_face_around(std::int32_t v) const;
     [[nodiscard]] bool is_border_vertex(std::int32_t v) const;

@@ -58,11 +58,7 @@ Verdict make_collapse(BaseSurface& base, std::int32_t edge, std::span<const Mobi
 
 void fill_faces(const BaseSurface& base, const Collapse& collapse, Extent extent, Patch& patch) {
     patch.clear();
-    std::vector<std::int32_t> faces;
-    const auto take = [&](std::int32_t v) {
-        base.faces_around(v, faces);
-        patch.removed.insert(patch.removed.end(), faces.begin(), faces.end());
-    };
+    const auto take = [&](std::int32_t v) { base.append_faces_around(v, patch.removed); };
     take(collapse.gone);
     if (extent != Extent::star_of_gone) {
         take(collapse.stays);

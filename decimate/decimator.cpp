@@ -242,18 +242,18 @@ const std::optional<Vec3>& Decimator::visible_direction_of_survivor() {
 }
 
 std::optional<Vec3> Decimator::visible_direction_of(std::int32_t v) {
-    std::vector<std::int32_t> star;
+    star_faces_.clear();
     for (const std::int32_t f : patch_.removed) {
         const Triangle corners = base_.corners(f);
         const bool around = std::any_of(corners.begin(), corners.end(), [&](std::int32_t corner) {
             return corner == v || (v == collapse_.stays && corner == collapse_.gone);
         });
         if (around && !is_frozen(f)) {
-            star.push_back(f);
+            star_faces_.push_back(f);
         }
     }
     normals_.clear();
-    for (const std::int32_t f : validator_.gather(star)) {
+    for (const std::int32_t f : validator_.gather(star_faces_)) {
         normals_.push_back(validator_.scan_normal(f).value());
     }
     return most_visible_direction(normals_);
@@ -268,12 +268,11 @@ bool Decimator::is_frozen(std::int32_t face) const {
 }
 
 void Decimator::commit() {
-    std::vector<std::int32_t> edges;
-    edges_changed_by(base_, collapse_, extent_, edges);
+    edges_changed_by(base_, collapse_, extent_, edges_);
     commit_collapse(base_, collapse_, patch_, validator_.trial());
     quadrics_[collapse_.stays] += quadrics_[collapse_.gone];
     face_count_ -= patch_.removed.size() - patch_.added.size();
-    requeue(base_, collapse_.stays, edges, queue_);
+    requeue(base_, collapse_.stays, edges_, queue_);
 }
 
 } // namespace foldless

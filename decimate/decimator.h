@@ -69,6 +69,8 @@ private:
     bool survivor_is_known_ = false; ///< the following was computed for the edge under question
     std::optional<Vec3> visible_from_survivor_;
     std::vector<std::int32_t> rim_;
+    std::vector<std::int32_t> star_faces_;
+    std::vector<std::int32_t> edges_;
     std::vector<std::array<Vec3, 3>> star_;
     std::vector<Vec3> normals_;
 };

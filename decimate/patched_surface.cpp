@@ -145,7 +145,8 @@ bool PatchedSurface::share_corner(int a, int b) const {
 void PatchedSurface::cells_beside(std::vector<int>& out) {
     out.clear();
     const auto add_around = [&](std::int32_t v) {
-        base_->faces_around(v, around_);
+        around_.clear();
+        base_->append_faces_around(v, around_);
         for (const std::int32_t face : around_) {
             if (!removes(face) && !base_->face(face).is_scan_face) {
                 out.push_back(cell_of(face));

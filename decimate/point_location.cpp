@@ -46,7 +46,12 @@ Verdict PointLocation::reset(PatchedSurface& surface, Uniqueness uniqueness) {
             return Verdict::jacobian;
         }
         cell.range = fold_free; // until the displacements that are met are known
-        prepared_.push_back({c, Prismoid(cell.triangle, fold_free)});
+    }
+    for (int c = 0; c < surface.new_cells(); ++c) {
+        const Cell& cell = surface.cell(c);
+        if (!cell.impassable) {
+            prepared_.push_back({c, Prismoid(cell.triangle, cell.range)});
+        }
     }
     return Verdict::accepted;
 }

@@ -10,7 +10,8 @@ constexpr std::size_t smallest_table = 64;
 } // namespace
 
 void TraceCache::clear() {
-    table_.assign(std::max(smallest_table, table_.size()), -1);
+    ++trial_;
+    table_.resize(std::max(smallest_table, table_.size()));
     entries_.clear();
     pool_.clear();
 }
@@ -22,21 +23,21 @@ std::size_t TraceCache::slot(std::int32_t a, std::int32_t b) const {
         static_cast<std::uint64_t>(a) * 0x9E3779B97F4A7C15ULL ^ static_cast<std::uint64_t>(b) * 0xC2B2AE3D27D4EB4FULL;
     hash ^= hash >> 32;
     std::size_t at = hash & mask;
-    while (table_[at] >= 0 && (entries_[table_[at]].a != a || entries_[table_[at]].b != b)) {
+    while (!is_free(table_[at]) && (entries_[table_[at].entry].a != a || entries_[table_[at].entry].b != b)) {
         at = (at + 1) & mask;
     }
     return at;
 }
 
 void TraceCache::insert(std::size_t at, const Entry& entry) {
-    table_[at] = static_cast<std::int32_t>(entries_.size());
+    table_[at] = {trial_, static_cast<std::int32_t>(entries_.size())};
     entries_.push_back(entry);
     if (2 * entries_.size() <= table_.size()) {
         return;
     }
-    table_.assign(2 * table_.size(), -1);
+    table_.assign(2 * table_.size(), {});
     for (std::size_t n = 0; n < entries_.size(); ++n) {
-        table_[slot(entries_[n].a, entries_[n].b)] = static_cast<std::int32_t>(n);
+        table_[slot(entries_[n].a, entries_[n].b)] = {trial_, static_cast<std::int32_t>(n)};
     }
 }
 

@@ -42,7 +42,7 @@ ScanTriangle triangle_of(const Scan& scan, std::int32_t f) {
 Validator::Validator(const BaseSurface& base, const Scan& scan, const ScanTopology& topology,
                      const ValidatorOptions& options)
     : base_(&base), scan_(&scan), topology_(&topology), options_(options), surface_(base),
-      face_stamp_(scan.faces.size(), 0), moved_(scan.positions.size()) {
+      face_stamp_(scan.faces.size(), 0), moved_(scan.positions.size()), ordered_(scan.positions.size()) {
     normals_.reserve(scan.faces.size());
     for (std::size_t f = 0; f < scan.faces.size(); ++f) {
         normals_.push_back(ScanNormal(triangle_of(scan, static_cast<std::int32_t>(f))).normalised());
@@ -95,8 +95,8 @@ Verdict Validator::judge(const Patch& patch) {
     if (verdict == Verdict::accepted && !options_.constant_directions) {
         verdict = order_fans(patch);
     }
-    for (std::size_t n = 0; verdict == Verdict::accepted && n < scan_faces_.size(); ++n) {
-        verdict = test_face(scan_faces_[n]);
+    if (verdict == Verdict::accepted) {
+        verdict = test_faces();
     }
     if (verdict == Verdict::accepted) {
         verdict = close_ranges();
@@ -213,42 +213,38 @@ Verdict Validator::order_fans(const Patch& patch) {
     orders_used_ = 0;
     for (std::size_t c = 0; c < patch.added.size(); ++c) {
         for (const std::int32_t v : patch.added[c].corners) {
-            const BaseVertex& vertex = surface_.vertex(v);
-            if (vertex.scan_vertex < 0) {
-                continue;
-            }
-            const auto end = orders_.begin() + static_cast<std::ptrdiff_t>(orders_used_);
-            if (std::any_of(orders_.begin(), end, [&](const FanOrder& order) { return order.vertex() == v; })) {
+            const std::int32_t scan_vertex = surface_.vertex(v).scan_vertex;
+            if (scan_vertex < 0 || ordered_[scan_vertex].stamp == stamp_) {
                 continue;
             }
             if (orders_used_ == orders_.size()) {
                 orders_.emplace_back();
             }
-            const Verdict verdict = orders_[orders_used_].reset(v, surface_, *scan_, *topology_);
+            const Verdict verdict = order_fan(v, scan_vertex);
             if (verdict != Verdict::accepted) {
                 return verdict;
             }
-            ++orders_used_;
         }
     }
     return Verdict::accepted;
 }
 
-const FanOrder* Validator::order_of(std::int32_t base_vertex) {
-    for (std::size_t n = 0; n < orders_used_; ++n) {
-        if (orders_[n].vertex() == base_vertex) {
-            return &orders_[n];
-        }
+Verdict Validator::order_fan(std::int32_t base_vertex, std::int32_t scan_vertex) {
+    const Verdict verdict = orders_[orders_used_].reset(base_vertex, surface_, *scan_, *topology_);
+    if (verdict == Verdict::accepted) {
+        ordered_[scan_vertex] = {stamp_, static_cast<std::int32_t>(orders_used_)};
+        ++orders_used_;
     }
-    if (orders_used_ == orders_.size()) {
-        return nullptr; // grown between faces only, so that pointers stay valid
+    return verdict;
+}
+
+const FanOrder* Validator::order_of(std::int32_t base_vertex, std::int32_t scan_vertex) {
+    if (ordered_[scan_vertex].stamp == stamp_) {
+        return &orders_[ordered_[scan_vertex].order];
     }
-    FanOrder& order = orders_[orders_used_];
-    if (order.reset(base_vertex, surface_, *scan_, *topology_) != Verdict::accepted) {
-        return nullptr;
-    }
-    ++orders_used_;
-    return &order;
+    // orders_ grows between faces only, so that pointers stay valid.
+    const bool known = orders_used_ < orders_.size() && order_fan(base_vertex, scan_vertex) == Verdict::accepted;
+    return known ? &orders_[ordered_[scan_vertex].order] : nullptr;
 }
 
 bool Validator::corner(std::int32_t scan_vertex, Corner& out) {
@@ -263,7 +259,7 @@ bool Validator::corner(std::int32_t scan_vertex, Corner& out) {
     if (place.kept >= 0) {
         out = {scan_vertex, -1, nullptr, Vec3::Zero(), 0.0, 0.0};
         if (!options_.constant_directions) {
-            out.order = order_of(place.kept);
+            out.order = order_of(place.kept, scan_vertex);
         }
         return out.order != nullptr || options_.constant_directions;
     }
@@ -378,6 +374,22 @@ Verdict Validator::test_inside(std::int32_t scan_face, const std::array<std::int
     }
     touch(cell, scan_face);
     return verdict_of(scan_orientation(alpha, error), Verdict::orientation);
+}
+
+Verdict Validator::test_faces() {
+    // The last culprit first, as in ask_witness().
+    const auto witness = std::find(scan_faces_.begin(), scan_faces_.end(), face_witness_);
+    if (witness != scan_faces_.end()) {
+        std::iter_swap(scan_faces_.begin(), witness);
+    }
+    for (const std::int32_t f : scan_faces_) {
+        const Verdict verdict = test_face(f);
+        if (verdict != Verdict::accepted) {
+            face_witness_ = f;
+            return verdict;
+        }
+    }
+    return Verdict::accepted;
 }
 
 Verdict Validator::test_face(std::int32_t scan_face) {

@@ -91,6 +91,7 @@ private:
     [[nodiscard]] Verdict reach_kept_corners(const Patch& patch);
     void find_wall_planes();
     [[nodiscard]] Verdict order_fans(const Patch& patch);
+    [[nodiscard]] Verdict test_faces();
     [[nodiscard]] Verdict test_face(std::int32_t scan_face);
     [[nodiscard]] Verdict test_inside(std::int32_t scan_face, const std::array<std::int32_t, 3>& moved);
     [[nodiscard]] bool is_inside_one_cell(const std::array<std::int32_t, 3>& moved) const;
@@ -112,7 +113,8 @@ private:
     [[nodiscard]] Verdict test_places_in(int outer);
     [[nodiscard]] Verdict test_vertices_of(int outer) const;
     [[nodiscard]] bool corner(std::int32_t scan_vertex, Corner& out);
-    [[nodiscard]] const FanOrder* order_of(std::int32_t base_vertex);
+    [[nodiscard]] Verdict order_fan(std::int32_t base_vertex, std::int32_t scan_vertex);
+    [[nodiscard]] const FanOrder* order_of(std::int32_t base_vertex, std::int32_t scan_vertex);
     [[nodiscard]] static std::int32_t kept_as(const Corner& corner);
     [[nodiscard]] bool holds_corners(int cell, const std::array<Corner, 3>& corners) const;
     [[nodiscard]] int common_cell(const std::array<Corner, 3>& corners) const;
@@ -151,10 +153,16 @@ private:
     std::vector<WallPlanes> planes_; ///< of the new cells, over the displacements of the places on them
     std::vector<unsigned> behind_;   ///< for each of the places, WallPlanes::behind()
     std::vector<std::pair<std::int32_t, Lift>> alternatives_;
-    std::int32_t witness_ = -1; ///< the scan vertex for which the last patch was refused that was for one
+    std::int32_t witness_ = -1;      ///< the scan vertex for which the last patch was refused that was for one
+    std::int32_t face_witness_ = -1; ///< the same for scan faces
 
+    struct Ordered {
+        std::uint32_t stamp = 0;
+        std::int32_t order = -1; ///< into orders_
+    };
     std::vector<FanOrder> orders_;
     std::size_t orders_used_ = 0;
+    std::vector<Ordered> ordered_; ///< per scan vertex
 
     // Scratch of the scan face under test.
     std::vector<TraceCrossing> crossings_;

@@ -186,7 +186,8 @@ TEST(FillFaces, TakesTheRingOfTheRimToo) {
     EXPECT_EQ(rim.size(), 8);
     for (const std::int32_t v : rim) {
         std::vector<std::int32_t> around;
-        world.base().faces_around(v, around);
+        around.clear();
+        world.base().append_faces_around(v, around);
         for (const std::int32_t f : around) {
             EXPECT_TRUE(std::binary_search(rings.removed.begin(), rings.removed.end(), f));
         }

@@ -47,7 +47,8 @@ TEST(BaseSurface, GoesAroundAVertexCounterClockwise) {
     const BaseSurface base(test::terrain(3, 0.1));
     std::vector<std::int32_t> around;
     for (std::int32_t v = 0; v < static_cast<std::int32_t>(base.vertex_slots()); ++v) {
-        base.faces_around(v, around);
+        around.clear();
+        base.append_faces_around(v, around);
         ASSERT_FALSE(around.empty());
         const std::size_t steps = base.is_border_vertex(v) ? around.size() - 1 : around.size();
         for (std::size_t n = 0; n < steps; ++n) {
