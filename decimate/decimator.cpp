@@ -20,8 +20,8 @@ namespace {
 constexpr std::size_t check_interval = 64;
 
 /// The root mean square distance, in diagonals, up to which an end of an edge is a good place for the vertex that
-/// is left: a thousandth of the diagonal, far less than the displacements that are left at the end.
-constexpr double good_enough = 1e-3;
+/// is left: less than most displacements that are left at the end.
+constexpr double good_enough = 2e-3;
 
 /// The corners of a face, turned so that v comes first.
 std::array<Vec3, 3> from_corner(const Triangle& corners, const std::array<Vec3, 3>& positions, std::int32_t v) {
