@@ -1,5 +1,7 @@
 #include <foldless/decimate/fan_order.h>
 
+#include <foldless/predicates/scan_normal.h>
+
 #include <algorithm>
 #include <cassert>
 
@@ -18,29 +20,37 @@ Verdict FanOrder::reset(std::int32_t v, PatchedSurface& surface, const Scan& sca
 }
 
 void FanOrder::look_along_spokes(const PatchedSurface& surface) {
-    const BaseVertex& vertex = surface.vertex(vertex_);
-    const ViewAlong view(vertex.direction);
+    centre_ = surface.vertex(vertex_).position;
+    direction_ = surface.vertex(vertex_).direction;
+    const ViewAlong view(direction_);
     spokes_.clear();
     for (const std::int32_t spoke : fan_->spokes) {
         const BaseVertex& end = surface.vertex(spoke);
-        spokes_.push_back({end.scan_vertex, view.see(end.position - vertex.position)});
+        spokes_.push_back({end.scan_vertex, {end.position, view.see(end.position - centre_)}});
     }
+}
+
+Sign FanOrder::follows(const Sighting& a, const Sighting& b) const {
+    const Sign sign = turn(a.seen, b.seen);
+    return sign == Sign::undecided ? seen_along(direction_, {centre_, a.end, b.end}) : sign;
 }
 
 Verdict FanOrder::sort_edges(std::int32_t scan_vertex, const PatchedSurface& surface, const Scan& scan,
                              const ScanTopology& topology) {
     edges_.clear();
-    const Vec3& centre = scan.positions[scan_vertex];
-    const ViewAlong view(surface.vertex(vertex_).direction);
+    const ViewAlong view(direction_);
+    const auto sighting = [&](std::int32_t v) {
+        return Sighting{scan.positions[v], view.see(scan.positions[v] - centre_)};
+    };
     for (const std::int32_t f : topology.faces_around(scan_vertex)) {
         const Triangle& face = scan.faces[f];
         const int k = face[0] == scan_vertex ? 0 : face[1] == scan_vertex ? 1 : 2;
         // Every edge is the first of one face, but for the last at a border.
         const std::int32_t first = face[(k + 1) % 3];
         const std::int32_t second = face[(k + 2) % 3];
-        Verdict verdict = add_edge(first, view.see(scan.positions[first] - centre), surface);
+        Verdict verdict = add_edge(first, sighting(first), surface);
         if (verdict == Verdict::accepted && topology.border_successor(second) == scan_vertex) {
-            verdict = add_edge(second, view.see(scan.positions[second] - centre), surface);
+            verdict = add_edge(second, sighting(second), surface);
         }
         if (verdict != Verdict::accepted) {
             return verdict;
@@ -49,7 +59,7 @@ Verdict FanOrder::sort_edges(std::int32_t scan_vertex, const PatchedSurface& sur
     return Verdict::accepted;
 }
 
-Verdict FanOrder::add_edge(std::int32_t neighbour, const ViewAlong::Seen& edge, const PatchedSurface& surface) {
+Verdict FanOrder::add_edge(std::int32_t neighbour, const Sighting& edge, const PatchedSurface& surface) {
     const auto is_spoke = [&](const Spoke& spoke) { return spoke.scan_vertex == neighbour; };
     const auto spoke = std::find_if(spokes_.begin(), spokes_.end(), is_spoke);
     if (spoke != spokes_.end()) {
@@ -96,38 +106,31 @@ Verdict FanOrder::base_turns_once(const PatchedSurface& surface) const {
 }
 
 Verdict FanOrder::no_sector_holds(std::size_t spoke, std::size_t first, std::size_t last) const {
-    const ViewAlong::Seen& edge = spokes_[spoke].seen;
+    const Sighting& edge = spokes_[spoke].sighting;
     for (std::size_t c = first; c < last; ++c) {
-        const Sign from_right = turn(spokes_[c % spokes_.size()].seen, edge);
-        if (from_right == Sign::negative) {
-            continue;
-        }
-        const Sign to_left = turn(edge, spokes_[(c + 1) % spokes_.size()].seen);
-        if (from_right == Sign::positive && to_left == Sign::positive) {
-            return Verdict::jacobian;
-        }
-        if (to_left != Sign::negative) {
-            return Verdict::undecided;
+        const bool behind_right = follows(spokes_[c % spokes_.size()].sighting, edge) == Sign::negative;
+        if (!behind_right && follows(edge, spokes_[(c + 1) % spokes_.size()].sighting) != Sign::negative) {
+            return Verdict::jacobian; // within the sector, or along one of its sides
         }
     }
     return Verdict::accepted;
 }
 
-Verdict FanOrder::find_cell(const ViewAlong::Seen& edge, const PatchedSurface& surface, int& cell) const {
-    bool undecided = false;
+Verdict FanOrder::find_cell(const Sighting& edge, const PatchedSurface& surface, int& cell) const {
+    bool along_side = false;
     for (std::size_t c = 0; c < fan_->cells.size(); ++c) {
-        const Sign from_right = turn(spokes_[c].seen, edge);
+        const Sign from_right = follows(spokes_[c].sighting, edge);
         if (from_right == Sign::negative) {
             continue;
         }
-        const Sign to_left = turn(edge, spokes_[(c + 1) % spokes_.size()].seen);
+        const Sign to_left = follows(edge, spokes_[(c + 1) % spokes_.size()].sighting);
         if (from_right == Sign::positive && to_left == Sign::positive) {
             cell = static_cast<int>(c);
             return surface.cell(fan_->cells[c]).impassable ? Verdict::no_preimage : Verdict::accepted;
         }
-        undecided = undecided || to_left != Sign::negative;
+        along_side = along_side || to_left != Sign::negative;
     }
-    return undecided ? Verdict::undecided : Verdict::no_preimage;
+    return along_side ? Verdict::tie : Verdict::no_preimage;
 }
 
 int FanOrder::position(std::int32_t neighbour) const {

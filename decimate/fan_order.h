@@ -21,7 +21,7 @@ class FanOrder {
 public:
     /// Sorts the scan edges of the kept base vertex `v` into its fan and checks that they go round once: `accepted`,
     /// `orientation` if they do not, `no_preimage` if an edge starts outside the fan or in an impassable cell,
-    /// `undecided` if rounding hides where one starts. `jacobian` if the base fan itself turns too far.
+    /// `tie` if one starts exactly along a base edge that it is not. `jacobian` if the base fan itself turns too far.
     [[nodiscard]] Verdict reset(std::int32_t v, PatchedSurface& surface, const Scan& scan,
                                 const ScanTopology& topology);
 
@@ -42,11 +42,17 @@ private:
         std::int32_t neighbour;
         int position;
     };
+    /// An edge that leaves the vertex, seen along its direction.
+    struct Sighting {
+        Vec3 end;
+        ViewAlong::Seen seen;
+    };
+    [[nodiscard]] Sign follows(const Sighting& a, const Sighting& b) const;
     void look_along_spokes(const PatchedSurface& surface);
     [[nodiscard]] Verdict sort_edges(std::int32_t scan_vertex, const PatchedSurface& surface, const Scan& scan,
                                      const ScanTopology& topology);
-    [[nodiscard]] Verdict add_edge(std::int32_t neighbour, const ViewAlong::Seen& edge, const PatchedSurface& surface);
-    [[nodiscard]] Verdict find_cell(const ViewAlong::Seen& edge, const PatchedSurface& surface, int& cell) const;
+    [[nodiscard]] Verdict add_edge(std::int32_t neighbour, const Sighting& edge, const PatchedSurface& surface);
+    [[nodiscard]] Verdict find_cell(const Sighting& edge, const PatchedSurface& surface, int& cell) const;
     [[nodiscard]] Verdict base_turns_once(const PatchedSurface& surface) const;
     [[nodiscard]] Verdict no_sector_holds(std::size_t spoke, std::size_t first, std::size_t last) const;
     [[nodiscard]] Verdict goes_round_once(std::int32_t scan_vertex, const Scan& scan,
@@ -57,8 +63,10 @@ private:
     /// A base edge that leaves the vertex.
     struct Spoke {
         std::int32_t scan_vertex; ///< what its far end is kept as, or -1
-        ViewAlong::Seen seen;     ///< along the direction of the vertex
+        Sighting sighting;
     };
+    Vec3 centre_ = Vec3::Zero(); ///< the vertex
+    Vec3 direction_ = Vec3::Zero();
     std::vector<Spoke> spokes_;
     std::vector<Edge> edges_;
 };

@@ -14,11 +14,10 @@ std::pair<std::int32_t, std::int32_t> ordered(std::int32_t a, std::int32_t b) {
 }
 
 /// Does the pillar of the base vertex pass through the inside of the scan triangle with N.n > 0? Positive: yes;
-/// negative: no; zero never.
+/// negative: no; zero: through its border. Exactly.
 Sign pierces(const BaseVertex& vertex, const ScanTriangle& q) {
-    const Sign m = seen_along(vertex.direction, q);
-    if (m != Sign::positive) {
-        return m == Sign::undecided ? Sign::undecided : Sign::negative;
+    if (seen_along(vertex.direction, q) != Sign::positive) {
+        return Sign::negative;
     }
     // Seen along the direction, the triangle is counter-clockwise; the pillar is a point, to the left of all edges.
     Sign result = Sign::positive;
@@ -28,7 +27,7 @@ Sign pierces(const BaseVertex& vertex, const ScanTriangle& q) {
             return Sign::negative;
         }
         if (side != Sign::positive) {
-            result = Sign::undecided;
+            result = Sign::zero;
         }
     }
     return result;
@@ -80,8 +79,8 @@ Verdict PillarFlood::find(PatchedSurface& surface, const ScanTriangle& triangle,
             }
             const BaseVertex& vertex = surface.vertex(v);
             const Sign sign = vertex.scan_vertex >= 0 ? Sign::negative : pierces(vertex, triangle);
-            if (sign == Sign::undecided) {
-                return Verdict::undecided;
+            if (sign == Sign::zero) {
+                return Verdict::tie;
             }
             if (sign == Sign::positive) {
                 inside.push_back(pillar_at(v, vertex, triangle));
@@ -127,7 +126,7 @@ Verdict PillarFlood::enter(const PatchedSurface& surface, const ScanTriangle& tr
     const BaseVertex& vertex = surface.vertex(spoke);
     const Sign sign = vertex.scan_vertex >= 0 ? Sign::negative : pierces(vertex, triangle);
     if (sign != Sign::positive) {
-        return sign == Sign::undecided ? Verdict::undecided : Verdict::normal_condition;
+        return sign == Sign::zero ? Verdict::tie : Verdict::normal_condition;
     }
     inside.push_back(pillar_at(spoke, vertex, triangle));
     return Verdict::accepted;

@@ -37,7 +37,8 @@ private:
 
 /// Finds the set I of base vertices inside the image of the triangle, by flooding from the odd edges: exactly one end
 /// of an odd edge is inside, both or neither of an even one; every vertex inside must be pierced with N.n > 0. Appends
-/// them. Fails with `normal_condition` when the parities do not fit, or `undecided`.
+/// them. Fails with `normal_condition` when the parities do not fit, `tie` if a pillar passes through the border of the
+/// triangle. Decided exactly.
 class PillarFlood {
 public:
     [[nodiscard]] Verdict find(PatchedSurface& surface, const ScanTriangle& triangle, const OddEdges& odd,

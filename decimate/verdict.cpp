@@ -19,6 +19,7 @@ std::string_view name(Verdict verdict) {
     case Verdict::orientation: return "orientation";
     case Verdict::out_of_range: return "out_of_range";
     case Verdict::max_displacement: return "max_displacement";
+    case Verdict::tie: return "tie";
     case Verdict::undecided: return "undecided";
     }
     return "unknown";

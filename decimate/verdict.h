@@ -25,6 +25,7 @@ enum class Verdict {
     orientation,       ///< the image of a scan triangle is turned over
     out_of_range,      ///< a displacement leaves the range of a face that stays
     max_displacement,  ///< a displacement is longer than the user allows
+    tie,               ///< exactly on a border between two answers that no rule orders
     undecided,         ///< rounding hides the answer
 };
 

@@ -1,18 +1,20 @@
 #include <foldless/predicates/jacobian.h>
 
-#include <foldless/predicates/interval.h>
+#include <foldless/predicates/filtered.h>
 #include <foldless/predicates/rounding.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace foldless {
 namespace {
 
 /// Is b0 (1-x)^2 + 2 b1 x (1-x) + b2 x^2 positive for all x in [0, 1]? Exactly when b0 > 0, b2 > 0 and either b1 > 0 or
 /// b1^2 < b0 b2: with both ends positive a minimum below zero needs b1 <= -sqrt(b0 b2).
-Sign positive_on_unit_interval(const Interval& b0, const Interval& b1, const Interval& b2) {
+template <class Number>
+Sign positive_on_unit_interval(const Number& b0, const Number& twice_b1, const Number& b2) {
     const Sign ends[] = {sign_of(b0), sign_of(b2)};
     for (const Sign end : ends) {
         if (end == Sign::negative || end == Sign::zero) {
@@ -22,26 +24,59 @@ Sign positive_on_unit_interval(const Interval& b0, const Interval& b1, const Int
     if (ends[0] == Sign::undecided || ends[1] == Sign::undecided) {
         return Sign::undecided;
     }
-    if (sign_of(b1) == Sign::positive || sign_of(b1) == Sign::zero) {
+    const Sign middle = sign_of(twice_b1);
+    if (middle == Sign::positive || middle == Sign::zero) {
         return Sign::positive;
     }
-    const Sign discriminant = sign_of(b0 * b2 - CGAL::square(b1));
+    const Sign discriminant = sign_of(Number(4) * b0 * b2 - twice_b1 * twice_b1);
     if (discriminant == Sign::positive) {
         return Sign::positive;
     }
     const bool touches = discriminant == Sign::negative || discriminant == Sign::zero;
-    return touches && sign_of(b1) == Sign::negative ? Sign::negative : Sign::undecided;
+    return touches && middle == Sign::negative ? Sign::negative : Sign::undecided;
 }
 
-struct IntervalSlice {
-    IntervalVec3 e1; ///< a_1 - a_0
-    IntervalVec3 e2; ///< a_2 - a_0
+template <class Number>
+struct Slice {
+    VectorOf<Number> e1; ///< a_1 - a_0
+    VectorOf<Number> e2; ///< a_2 - a_0
+
+    Slice(const BaseTriangle& triangle, double t) {
+        const auto corner = [&](int i) {
+            return exactly<Number>(triangle.v[i]) + Number(t) * exactly<Number>(triangle.d[i]);
+        };
+        const VectorOf<Number> a0 = corner(0);
+        e1 = corner(1) - a0;
+        e2 = corner(2) - a0;
+    }
 };
 
-IntervalSlice slice(const BaseTriangle& triangle, double t) {
-    const auto corner = [&](int i) { return exactly(triangle.v[i]) + Interval(t) * exactly(triangle.d[i]); };
-    const IntervalVec3 a0 = corner(0);
-    return {corner(1) - a0, corner(2) - a0};
+/// All J_i by their Bernstein coefficients.
+template <class Number>
+Sign jacobian_in(const BaseTriangle& triangle, Range range) {
+    const Slice<Number> lo(triangle, range.lo);
+    const Slice<Number> hi(triangle, range.hi);
+    const VectorOf<Number> n_lo = cross(lo.e1, lo.e2);
+    const VectorOf<Number> n_hi = cross(hi.e1, hi.e2);
+    const VectorOf<Number> twice_n_mixed = cross(lo.e1, hi.e2) + cross(hi.e1, lo.e2);
+    Sign result = Sign::positive;
+    for (const Vec3& direction : triangle.d) {
+        const VectorOf<Number> d = exactly<Number>(direction);
+        const Sign sign = positive_on_unit_interval(dot(d, n_lo), dot(d, twice_n_mixed), dot(d, n_hi));
+        if (sign == Sign::negative) {
+            return Sign::negative;
+        }
+        if (sign == Sign::undecided) {
+            result = Sign::undecided;
+        }
+    }
+    return result;
+}
+
+bool is_finite(const BaseTriangle& triangle) {
+    const auto finite = [](const Vec3& v) { return v.allFinite(); };
+    return std::all_of(triangle.v.begin(), triangle.v.end(), finite) &&
+           std::all_of(triangle.d.begin(), triangle.d.end(), finite);
 }
 
 /// A quadratic c0 + c1 t + c2 t^2 in plain doubles.
@@ -64,10 +99,6 @@ double first_positive_root(const Quadratic& p) {
     return denominator > 0 ? 2 * p.c0 / denominator : none;
 }
 
-} // namespace
-
-namespace {
-
 /// Whether all Bernstein coefficients are positive in plain doubles, beyond their rounding: nearly always.
 bool clearly_positive_on(const BaseTriangle& triangle, Range range) {
     const Vec3 p1 = triangle.v[1] - triangle.v[0];
@@ -84,40 +115,26 @@ bool clearly_positive_on(const BaseTriangle& triangle, Range range) {
     // An edge of a slice carries 3 roundings of its terms, a component of a cross product 8, the mixed one 9, a dot
     // product 12; 20 covers the second order.
     const double reach = std::max(std::abs(range.lo), std::abs(range.hi));
-    const double size = 2 * (max_norm(p1) + reach * max_norm(d1)) * (max_norm(p2) + reach * max_norm(d2));
-    return std::all_of(triangle.d.begin(), triangle.d.end(), [&](const Vec3& d) {
-        const double error = 20 * unit_roundoff * sum_norm(d) * size;
-        return d.dot(n_lo) > error && d.dot(n_mixed) > error && d.dot(n_hi) > error;
-    });
+    const double size1 = max_norm(p1) + reach * max_norm(d1);
+    const double size2 = max_norm(p2) + reach * max_norm(d2);
+    const bool counted = std::min(size1, size2) >= least_length;
+    return counted && std::all_of(triangle.d.begin(), triangle.d.end(), [&](const Vec3& d) {
+               const double error = 20 * unit_roundoff * sum_norm(d) * 2 * size1 * size2;
+               return sum_norm(d) >= least_length && d.dot(n_lo) > error && d.dot(n_mixed) > error &&
+                      d.dot(n_hi) > error;
+           });
 }
 
 } // namespace
 
 Sign jacobian_on(const BaseTriangle& triangle, Range range) {
-    if (!(range.lo <= range.hi) || !std::isfinite(range.lo) || !std::isfinite(range.hi)) {
+    if (!(range.lo <= range.hi) || !std::isfinite(range.lo) || !std::isfinite(range.hi) || !is_finite(triangle)) {
         return Sign::negative;
     }
     if (clearly_positive_on(triangle, range)) {
         return Sign::positive;
     }
-    const UpwardRounding upward;
-    const IntervalSlice lo = slice(triangle, range.lo);
-    const IntervalSlice hi = slice(triangle, range.hi);
-    const IntervalVec3 n_lo = cross(lo.e1, lo.e2);
-    const IntervalVec3 n_hi = cross(hi.e1, hi.e2);
-    const IntervalVec3 n_mixed = cross(lo.e1, hi.e2) + cross(hi.e1, lo.e2);
-    Sign result = Sign::positive;
-    for (const Vec3& direction : triangle.d) {
-        const IntervalVec3 d = exactly(direction);
-        const Sign sign = positive_on_unit_interval(dot(d, n_lo), Interval(0.5) * dot(d, n_mixed), dot(d, n_hi));
-        if (sign == Sign::negative) {
-            return Sign::negative;
-        }
-        if (sign == Sign::undecided) {
-            result = Sign::undecided;
-        }
-    }
-    return result;
+    return filtered([&](const auto& zero) { return jacobian_in<std::decay_t<decltype(zero)>>(triangle, range); });
 }
 
 Range fold_free_range(const BaseTriangle& triangle) {

@@ -9,9 +9,9 @@
 
 namespace foldless {
 
-/// Whether J > 0 on all of T x `range`: positive if proven, negative if J <= 0 somewhere for certain, else undecided.
-/// Decided by the Bernstein coefficients of the three quadratics J_i, in interval arithmetic, on the values as given.
-/// A range that is empty, or not finite, is negative.
+/// Whether J > 0 on all of T x `range`: positive if so, negative if J <= 0 somewhere; never zero or undecided. Decided
+/// by the Bernstein coefficients of the three quadratics J_i on the values as given, in doubles with a bound, in
+/// intervals, or exactly. A range that is empty is negative, and so is whatever is not finite.
 [[nodiscard]] Sign jacobian_on(const BaseTriangle& triangle, Range range);
 
 /// An estimate, in plain doubles, of the largest range around t = 0 on which J > 0 at every corner. Infinite ends are

@@ -1,12 +1,23 @@
 #include <foldless/predicates/scan_normal.h>
 
-#include <foldless/predicates/interval.h>
+#include <foldless/predicates/filtered.h>
 #include <foldless/predicates/rounding.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace foldless {
+namespace {
+
+/// Of a cross product of two edges of these sizes, a difference of two products of two differences: four roundings on
+/// at most 2 |e1| |e2| in all; 9 instead of 8 covers the second-order terms.
+double component_error(double e1, double e2) {
+    return std::min(e1, e2) >= least_length ? 9 * unit_roundoff * e1 * e2 : std::numeric_limits<double>::infinity();
+}
+
+} // namespace
 
 ScanNormal::ScanNormal(const Vec3& n, double component_error)
     // Three products and two sums round the dot product by at most 3 units of sum |d_k n_k|.
@@ -14,9 +25,7 @@ ScanNormal::ScanNormal(const Vec3& n, double component_error)
 
 ScanNormal::ScanNormal(const ScanTriangle& triangle)
     : ScanNormal((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]),
-                 // A component is a difference of two products of two differences: four roundings on at most
-                 // 2 |e1| |e2| in all; 9 instead of 8 covers the second-order terms.
-                 9 * unit_roundoff * max_norm(triangle[1] - triangle[0]) * max_norm(triangle[2] - triangle[0])) {}
+                 component_error(max_norm(triangle[1] - triangle[0]), max_norm(triangle[2] - triangle[0]))) {}
 
 ScanNormal ScanNormal::normalised() const {
     const double length = n_.norm();
@@ -30,9 +39,15 @@ Sign seen_along(const Vec3& d, const ScanTriangle& triangle) {
     if (fast != Sign::undecided) {
         return fast;
     }
-    const UpwardRounding upward;
-    const IntervalVec3 q0 = exactly(triangle[0]);
-    return sign_of(dot(exactly(d), cross(exactly(triangle[1]) - q0, exactly(triangle[2]) - q0)));
+    if (!d.allFinite() || !triangle[0].allFinite() || !triangle[1].allFinite() || !triangle[2].allFinite()) {
+        return Sign::undecided;
+    }
+    return filtered([&](const auto& zero) {
+        using Number = std::decay_t<decltype(zero)>;
+        const VectorOf<Number> q0 = exactly<Number>(triangle[0]);
+        return sign_of(
+            dot(exactly<Number>(d), cross(exactly<Number>(triangle[1]) - q0, exactly<Number>(triangle[2]) - q0)));
+    });
 }
 
 InterpolatedDirection::InterpolatedDirection(const std::array<Vec3, 3>& directions, const Vec3& alpha,

@@ -20,7 +20,7 @@ public:
     [[nodiscard]] const Vec3& value() const { return n_; }
 
     /// A bound on the error of d.dot(value()) as a stand-in for the exact d.n.
-    [[nodiscard]] double error(const Vec3& d) const { return sum_norm(d) * dot_error_; }
+    [[nodiscard]] double error(const Vec3& d) const { return sum_norm(d) * dot_error_ + dot_underflow; }
 
     /// The sign of d.n from plain doubles and their error bound.
     [[nodiscard]] Sign seen_along(const Vec3& d) const { return sign_within(d.dot(n_), error(d)); }
@@ -32,7 +32,8 @@ private:
     double dot_error_; ///< of a dot product, for each unit of the sum of |d_k|
 };
 
-/// The sign of d.n for the scan triangle: plain doubles first, then intervals.
+/// The sign of d.n for the scan triangle, exactly: plain doubles first, then intervals, then exact numbers. Undecided
+/// only if something is not finite.
 [[nodiscard]] Sign seen_along(const Vec3& d, const ScanTriangle& triangle);
 
 /// d(alpha) = sum alpha_i d_i with a bound on its error: one point of a base face, asked about many scan faces.

@@ -7,6 +7,7 @@
 #include <foldless/predicates/sign.h>
 #include <foldless/predicates/vector.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace foldless {
@@ -43,13 +44,25 @@ private:
 };
 
 /// The sign of (a x b).d: positive if b follows a counter-clockwise by less than half a turn. Both must be of one view,
-/// and each vector may itself be off by one rounding of each component, as a difference of positions is.
+/// and each vector may itself be off by one rounding of each component, as a difference of positions is. Where it is
+/// undecided, seen_along() decides it exactly, for d and the triangle that the two vectors span.
 [[nodiscard]] inline Sign turn(const ViewAlong::Seen& a, const ViewAlong::Seen& b) {
     // (a x b).d = |d_k| (a_x b_y - a_y b_x). With u the rounding and A, B the sizes: a component of a is off by 6 u A
     // (one of the vector, two of the product and its slope, on two terms, one of the difference) and no larger than 2
     // A. So each product is off by 24 u AB and 4 u AB more for its own rounding, the difference by 8 u AB: 64 u AB in
     // all, 70 with the second order.
-    return sign_within(a.x * b.y - a.y * b.x, 70 * unit_roundoff * a.size * b.size);
+    const bool counted = std::min(a.size, b.size) >= least_length;
+    return counted ? sign_within(a.x * b.y - a.y * b.x, 70 * unit_roundoff * a.size * b.size) : Sign::undecided;
 }
+
+/// A vertex and its displacement direction: at displacement t it is at v + t d.
+struct DisplacedVertex {
+    Vec3 v;
+    Vec3 d;
+};
+
+/// The sign of ((a - centre) x (b - centre)).d at displacement t, d being the direction of the centre, exactly: which
+/// way round b follows a around the pillar. Undecided only if something is not finite. (docs/certificate.md, C1 and K)
+[[nodiscard]] Sign turn_at(const DisplacedVertex& centre, const DisplacedVertex& a, const DisplacedVertex& b, double t);
 
 } // namespace foldless

@@ -22,11 +22,12 @@ Range common_range(const BaseFaces& base, const Fan& fan) {
 
 /// The edges of the fan at displacement t.
 Star star_at(const BaseFaces& base, std::int32_t vertex, const Fan& fan, double t) {
-    const BaseMesh& mesh = base.mesh();
-    Star star{mesh.directions[vertex], {}, fan.closed};
+    const auto displaced = [&](std::int32_t v) {
+        return DisplacedVertex{base.mesh().positions[v], base.mesh().directions[v]};
+    };
+    Star star{displaced(vertex), {}, fan.closed, t};
     for (const std::int32_t spoke : base.adjacency().spokes(vertex, fan)) {
-        star.edges.push_back((mesh.positions[spoke] - mesh.positions[vertex]) +
-                             t * (mesh.directions[spoke] - mesh.directions[vertex]));
+        star.ends.push_back(displaced(spoke));
     }
     return star;
 }
@@ -39,9 +40,8 @@ void check_vertex(const BaseFaces& base, std::int32_t vertex, Findings& findings
         if (!is_asked || !(common.lo <= common.hi)) {
             continue;
         }
-        const Sign once = goes_round_once(star_at(base, vertex, fan, std::clamp(0.0, common.lo, common.hi)));
-        if (once != Sign::positive) {
-            findings.add({.violation = once == Sign::negative ? Violation::jacobian : Violation::undecided,
+        if (!goes_round_once(star_at(base, vertex, fan, std::clamp(0.0, common.lo, common.hi)))) {
+            findings.add({.violation = Violation::jacobian,
                           .base_face = fan.faces.front(),
                           .position = base.mesh().positions[vertex]});
         }
@@ -54,11 +54,8 @@ void check_jacobians(const BaseFaces& base, Stages& stages, double share, Findin
     stages.for_each(base.moving().size(), share, [&](std::size_t i) {
         const std::int32_t f = base.moving()[i];
         const MovingFace& face = base.face(f);
-        const Sign sign = jacobian_on(face.triangle, face.range);
-        if (sign != Sign::positive) {
-            findings.add({.violation = sign == Sign::undecided ? Violation::undecided : Violation::jacobian,
-                          .base_face = f,
-                          .position = face.triangle.v[0]});
+        if (jacobian_on(face.triangle, face.range) != Sign::positive) {
+            findings.add({.violation = Violation::jacobian, .base_face = f, .position = face.triangle.v[0]});
         }
     });
 }

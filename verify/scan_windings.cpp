@@ -9,15 +9,12 @@ void check_star(const Correspondents& all, const Adjacency& scan_adjacency, std:
     const Vec3& centre = all.scan.positions[vertex];
     const auto moves = [&](std::int32_t face) { return !all.base.scan_face_is_frozen(face); };
     for (const Fan& fan : scan_adjacency.fans(vertex, moves)) {
-        Star star{all.base.mesh().directions[all.association.places[vertex].kept], {}, fan.closed};
+        Star star{{centre, all.base.mesh().directions[all.association.places[vertex].kept]}, {}, fan.closed};
         for (const std::int32_t spoke : scan_adjacency.spokes(vertex, fan)) {
-            star.edges.push_back(all.scan.positions[spoke] - centre);
+            star.ends.push_back({all.scan.positions[spoke], Vec3::Zero()});
         }
-        const Sign once = goes_round_once(star);
-        if (once != Sign::positive) {
-            findings.add({.violation = once == Sign::negative ? Violation::orientation : Violation::undecided,
-                          .scan_vertex = vertex,
-                          .position = centre});
+        if (!goes_round_once(star)) {
+            findings.add({.violation = Violation::orientation, .scan_vertex = vertex, .position = centre});
         }
     }
 }

@@ -2,22 +2,23 @@
 /// How often a star of edges goes round, seen along a direction.
 #pragma once
 
-#include <foldless/predicates/sign.h>
-#include <foldless/predicates/vector.h>
+#include <foldless/predicates/view_along.h>
 
 #include <vector>
 
 namespace foldless::verification {
 
-/// The edges of a star in order, as vectors from its centre, and the direction along which it is seen.
+/// The edges of a star in order, from its centre to the ends, at displacement t.
 struct Star {
-    Vec3 direction;
-    std::vector<Vec3> edges;
+    DisplacedVertex centre;
+    std::vector<DisplacedVertex> ends;
     bool closed = false; ///< the last edge is followed by the first
+    double t = 0;
 };
 
-/// Whether the star goes round once (closed) or less than once (open), if consecutive edges turn by angles in (0, pi):
-/// positive if no sector but those at the first edge holds that edge's direction, negative if one does, else undecided.
-[[nodiscard]] Sign goes_round_once(const Star& star);
+/// Whether the star, seen along the direction of its centre, goes round once (closed) or less than once (open), if
+/// consecutive edges turn by angles in (0, pi): whether no sector but those at the first edge holds the direction of
+/// that edge. Decided exactly.
+[[nodiscard]] bool goes_round_once(const Star& star);
 
 } // namespace foldless::verification

@@ -109,8 +109,8 @@ TEST(Validator, RefusesATopAboveTheBorderAsUndecided) {
 }
 
 // The scan edges 0-4 and 2-4 lie in the wall over the diagonal, though they are no base edges.
-TEST(Validator, RefusesScanEdgesAlongAWallAsUndecided) {
-    EXPECT_EQ(judge_top({0.5, 0.5, 0.3}), Verdict::undecided);
+TEST(Validator, RefusesScanEdgesAlongAWallAsATie) {
+    EXPECT_EQ(judge_top({0.5, 0.5, 0.3}), Verdict::tie);
     EXPECT_EQ(judge_top({0.5, 0.5 + 0x1p-20, 0.3}), Verdict::accepted);
 }
 

@@ -1,6 +1,7 @@
 #include "exact_vector.h"
 #include "random_triangles.h"
 
+#include <foldless/predicates/scan_normal.h>
 #include <foldless/predicates/view_along.h>
 
 #include <gtest/gtest.h>
@@ -57,6 +58,41 @@ TEST(ViewAlong, AgreesWithRationalArithmetic) {
         }
     }
     EXPECT_GT(decided, rounds / 2 - rounds / 100);
+}
+
+TEST(ViewAlong, LeavesToExactNumbersWhatMayUnderflow) {
+    const ViewAlong view(Vec3(0, 0, 1));
+    const Vec3 tiny(1e-200, 0, 0);
+    EXPECT_EQ(turn(view.see(tiny), view.see(Vec3(0, 1, 0))), Sign::undecided);
+    EXPECT_EQ(seen_along({0, 0, 1}, {Vec3::Zero(), tiny, Vec3(0, 1, 0)}), Sign::positive);
+}
+
+// Every other time b is turned into the plane of the first edge and the direction at t, but for its rounding.
+TEST(TurnAt, AgreesWithRationalArithmetic) {
+    RandomTriangles random(2);
+    int ties = 0;
+    for (int round = 0; round < 5000; ++round) {
+        const auto coarse = [&](const Vec3& v) { // few bits, so that exact ties occur
+            return Vec3((v * 8).array().round() / 8);
+        };
+        const auto vertex = [&] { return DisplacedVertex{coarse(random.vector()), coarse(random.vector())}; };
+        const DisplacedVertex centre = vertex();
+        const DisplacedVertex a = vertex();
+        const double t = std::round(random.number(-2, 2) * 4) / 4;
+        DisplacedVertex b = vertex();
+        if (round % 2 == 0) {
+            b = {centre.v + 0.5 * (a.v - centre.v), centre.d + 0.5 * (a.d - centre.d)};
+            b.v.x() += round % 4 == 0 ? 0 : std::ldexp(1.0, -(round % 40));
+        }
+        const auto from_centre = [&](const DisplacedVertex& x) {
+            return Vector(x.v) - Vector(centre.v) + mpq_class(t) * (Vector(x.d) - Vector(centre.d));
+        };
+        const int truth = sgn(exact::dot(exact::cross(from_centre(a), from_centre(b)), Vector(centre.d)));
+        const Sign sign = turn_at(centre, a, b, t);
+        EXPECT_EQ(sign, truth > 0 ? Sign::positive : truth < 0 ? Sign::negative : Sign::zero) << "round " << round;
+        ties += truth == 0 ? 1 : 0;
+    }
+    EXPECT_GT(ties, 1000);
 }
 
 } // namespace
