@@ -66,10 +66,15 @@ bool strictly_inside_unit(double value, double error) {
     return value > error && value < 1 - error;
 }
 
-/// Whether the line meets wall k at no more than one displacement in the range.
-bool leaves_once(const Cell& cell, int k, const Visit& visit, Range range) {
+/// Whether the line, on its way out through wall k, meets that wall at no other displacement in the range but where it
+/// starts: `start` is the kept vertex there, or -1.
+bool leaves_once(const PatchedSurface& surface, int c, int k, const Visit& visit, Range range, std::int32_t start) {
+    const Cell& cell = surface.cell(c);
     const bool known = visit.passing.sign[k] == Sign::positive && holds(visit.passing.range, range);
-    return known || cell.wall(k).passes(visit.e, range) == Sign::positive ||
+    // At a kept corner of the wall the line meets it, too: then the quadratic whose roots these are has no third.
+    const int corner = start < 0 ? -1 : surface.corner_of(c, start);
+    const bool starts_on_wall = corner >= 0 && corner != k;
+    return known || starts_on_wall || cell.wall(k).passes(visit.e, range) == Sign::positive ||
            cell.wall(k).meets_once_at_most(visit.a, visit.e, range);
 }
 
@@ -155,7 +160,8 @@ Verdict trace_edge(PatchedSurface& surface, const TraceEnd& a, const TraceEnd& b
         const Range between = hull(t, exit.at.t);
         const Stretch way{a.point,         e,        {s, exit.at.s}, std::max(s_error, exit.at.error), between,
                           {from_kept, -1}, exit.wall};
-        if (!strictly_inside_unit(exit.at.lambda, exit.at.error) || !leaves_once(cell, exit.wall, visit, between) ||
+        if (!strictly_inside_unit(exit.at.lambda, exit.at.error) ||
+            !leaves_once(surface, at, exit.wall, visit, between, from_kept) ||
             !meets_no_wall(surface, at, way, visit.passing)) {
             return Verdict::undecided;
         }

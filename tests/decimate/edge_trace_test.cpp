@@ -123,5 +123,21 @@ TEST_F(TwoSquares, AnEdgeCrossesALeaningWallWhereItIs) {
     EXPECT_TRUE(crossings_.empty());
 }
 
+// The wall of the diagonal turns over the edge that leaves its end 0 beside it: seen from above they start along slopes
+// of 1 and 0.9, and meet where the wall has the slope (1 - t/4) / (1 + t/4) = 0.9.
+TEST_F(TwoSquares, AnEdgeFromAKeptVertexMayLeaveThroughAWallThatEndsThere) {
+    patch_.changed[4].value.direction = {0.25, -0.25, 1};
+    surface_.reset(patch_, false);
+    for (int c = 0; c < 4; ++c) {
+        surface_.cell(c).range = {-1, 1};
+    }
+    const TraceEnd end{{0.6, 0.54, 0.6}, 1, 0.6, -1};
+    ASSERT_EQ(trace_edge(surface_, {Vec3::Zero(), 0, 0.0, 0}, end, crossings_), Verdict::accepted);
+    ASSERT_EQ(crossings_.size(), 1);
+    EXPECT_NEAR(crossings_[0].t, 4 * 0.1 / 1.9, 1e-14);
+    // Not kept, the start could be anywhere near the wall.
+    EXPECT_EQ(trace_edge(surface_, {Vec3::Zero(), 0, 0.0, -1}, end, crossings_), Verdict::undecided);
+}
+
 } // namespace
 } // namespace foldless
