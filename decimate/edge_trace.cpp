@@ -20,8 +20,9 @@ bool holds(Range outer, Range inner) {
 
 /// The edge where it enters a cell.
 struct Visit {
-    Vec3 a, e;       ///< start of the edge, and from there to its end
-    double s;        ///< how far along the edge
+    Vec3 a, e; ///< start of the edge, and from there to its end
+    double s;  ///< how far along the edge
+    double s_error;
     int entered_by;  ///< the wall through which it came, or -1
     Passing passing; ///< of the walls, at the displacements where it is likely to leave
 };
@@ -37,13 +38,15 @@ Exit first_exit(const Cell& cell, const Visit& visit, Range range) {
     Exit exit;
     const bool known = holds(visit.passing.range, range);
     for (int k = 0; k < 3; ++k) {
-        if (k == visit.entered_by || (known && visit.passing.sign[k] == Sign::negative)) {
+        if (known && visit.passing.sign[k] == Sign::negative) {
             continue;
         }
         const Wall::Crossings found = cell.wall(k).crossings(visit.a, visit.e, {range, true});
         for (int n = 0; n < found.count; ++n) {
             const Wall::Crossing& at = found.values[n];
-            const bool ahead = at.s >= visit.s - at.error;
+            // A curved wall may be crossed again on the way out; where the edge came in is no exit.
+            const bool ahead =
+                k == visit.entered_by ? at.s > visit.s + visit.s_error + at.error : at.s >= visit.s - at.error;
             const bool in_range = at.t >= cell.range.lo && at.t <= cell.range.hi;
             const bool outwards = std::isinf(at.error) || cell.wall(k).passes_at(visit.e, at) == Sign::positive;
             if (ahead && in_range && outwards && (exit.wall < 0 || at.s < exit.at.s)) {
@@ -64,18 +67,6 @@ Exit find_exit(const Cell& cell, const Visit& visit) {
 
 bool strictly_inside_unit(double value, double error) {
     return value > error && value < 1 - error;
-}
-
-/// Whether the line, on its way out through wall k, meets that wall at no other displacement in the range but where it
-/// starts: `start` is the kept vertex there, or -1.
-bool leaves_once(const PatchedSurface& surface, int c, int k, const Visit& visit, Range range, std::int32_t start) {
-    const Cell& cell = surface.cell(c);
-    const bool known = visit.passing.sign[k] == Sign::positive && holds(visit.passing.range, range);
-    // At a kept corner of the wall the line meets it, too: then the quadratic whose roots these are has no third.
-    const int corner = start < 0 ? -1 : surface.corner_of(c, start);
-    const bool starts_on_wall = corner >= 0 && corner != k;
-    return known || starts_on_wall || cell.wall(k).passes(visit.e, range) == Sign::positive ||
-           cell.wall(k).meets_once_at_most(visit.a, visit.e, range);
 }
 
 /// Whether wall k of the cell ends at a kept end of the stretch and is met only there.
@@ -105,6 +96,18 @@ bool crosses_elsewhere(const Wall& wall, const Stretch& stretch) {
         }
     }
     return true;
+}
+
+/// Whether the edge, on its way out through the wall that the stretch names, certainly meets that wall nowhere before.
+bool leaves_once(const PatchedSurface& surface, int c, const Stretch& way, const Passing& known) {
+    const Cell& cell = surface.cell(c);
+    const int k = way.exit;
+    // At a kept corner of the wall the line meets it, too: then the quadratic whose roots these are has no third.
+    const int corner = way.kept[0] < 0 ? -1 : surface.corner_of(c, way.kept[0]);
+    const bool starts_on_wall = corner >= 0 && corner != k;
+    return starts_on_wall || (known.sign[k] == Sign::positive && holds(known.range, way.range)) ||
+           cell.wall(k).passes(way.e, way.range) == Sign::positive ||
+           cell.wall(k).meets_once_at_most(way.a, way.e, way.range) || crosses_elsewhere(cell.wall(k), way);
 }
 
 } // namespace
@@ -145,7 +148,7 @@ Verdict trace_edge(PatchedSurface& surface, const TraceEnd& a, const TraceEnd& b
         // Directions of unit length move a point of the edge by no more than the base mesh is off, rarely by its
         // length.
         const Range towards{std::min(t, b.t) - length, std::max(t, b.t) + length};
-        const Visit visit{a.point, e, s, entered_by, passing(surface.cell(at), e, towards)};
+        const Visit visit{a.point, e, s, s_error, entered_by, passing(surface.cell(at), e, towards)};
         if (at == b.cell) {
             const Stretch rest{a.point, e, {s, 1.0}, s_error, hull(t, b.t), {from_kept, b.kept}, -1};
             if (meets_no_wall(surface, at, rest, visit.passing)) {
@@ -160,8 +163,7 @@ Verdict trace_edge(PatchedSurface& surface, const TraceEnd& a, const TraceEnd& b
         const Range between = hull(t, exit.at.t);
         const Stretch way{a.point,         e,        {s, exit.at.s}, std::max(s_error, exit.at.error), between,
                           {from_kept, -1}, exit.wall};
-        if (!strictly_inside_unit(exit.at.lambda, exit.at.error) ||
-            !leaves_once(surface, at, exit.wall, visit, between, from_kept) ||
+        if (!strictly_inside_unit(exit.at.lambda, exit.at.error) || !leaves_once(surface, at, way, visit.passing) ||
             !meets_no_wall(surface, at, way, visit.passing)) {
             return Verdict::undecided;
         }

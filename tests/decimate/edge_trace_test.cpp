@@ -135,8 +135,24 @@ TEST_F(TwoSquares, AnEdgeFromAKeptVertexMayLeaveThroughAWallThatEndsThere) {
     ASSERT_EQ(trace_edge(surface_, {Vec3::Zero(), 0, 0.0, 0}, end, crossings_), Verdict::accepted);
     ASSERT_EQ(crossings_.size(), 1);
     EXPECT_NEAR(crossings_[0].t, 4 * 0.1 / 1.9, 1e-14);
-    // Not kept, the start could be anywhere near the wall.
-    EXPECT_EQ(trace_edge(surface_, {Vec3::Zero(), 0, 0.0, -1}, end, crossings_), Verdict::undecided);
+}
+
+// The same wall, crossed upwards at x = 1/2 along y = 0.51 - z/4: the edge is beyond it in the middle only.
+TEST_F(TwoSquares, AnEdgeMayCrossACurvedWallTwice) {
+    patch_.changed[4].value.direction = {0.25, -0.25, 1};
+    surface_.reset(patch_, false);
+    for (int c = 0; c < 4; ++c) {
+        surface_.cell(c).range = {-1, 1};
+    }
+    ASSERT_EQ(trace({0.5, 0.71, -0.8}, 0, {0.5, 0.31, 0.8}, 0), Verdict::accepted);
+    ASSERT_EQ(crossings_.size(), 2);
+    EXPECT_EQ(crossings_[0].to, 1);
+    EXPECT_EQ(crossings_[1].to, 0);
+    EXPECT_LT(crossings_[0].t, 0);
+    EXPECT_GT(crossings_[1].t, 0);
+    // A little lower it never reaches the wall.
+    ASSERT_EQ(trace({0.5, 0.69, -0.8}, 0, {0.5, 0.29, 0.8}, 0), Verdict::accepted);
+    EXPECT_TRUE(crossings_.empty());
 }
 
 } // namespace
