@@ -78,7 +78,7 @@ void UnguardedLoop::run() {
 
 bool UnguardedLoop::ask(std::int32_t edge) {
     Collapse collapse;
-    if (make_collapse(base_, edge, mobility_, options_->edge_valence_limit, collapse) != Verdict::accepted) {
+    if (make_collapse(base_, edge, {mobility_, options_->edge_valence_limit}, collapse) != Verdict::accepted) {
         return false;
     }
     Quadric quadric = quadrics_[collapse.gone];

@@ -42,29 +42,32 @@ Survivors survivors_of(const BaseSurface& surface, const LocalOrder& order) {
     return left;
 }
 
-void export_vertices(const BaseSurface& surface, const Survivors& left, const LocalOrder& order, bool directions,
-                     BaseMesh& base) {
+void export_vertices(const BaseSurface& surface, const Survivors& left, const LocalOrder& order, BaseMesh& base) {
     for (const std::int32_t v : left.vertices) {
         const BaseVertex& vertex = surface.vertex(v);
         base.positions.push_back(vertex.position);
         base.scan_vertex.push_back(vertex.scan_vertex < 0 ? -1 : order.vertices[vertex.scan_vertex]);
-        if (directions) {
-            base.directions.push_back(vertex.direction);
-        }
+        base.directions.push_back(vertex.direction);
     }
 }
 
-void export_faces(const BaseSurface& surface, const Survivors& left, bool constant_directions, BaseMesh& base) {
+void export_faces(const BaseSurface& surface, const Survivors& left, BaseMesh& base) {
     for (const std::int32_t f : left.faces) {
         const Triangle corners = surface.corners(f);
         base.faces.push_back(
             {left.vertex_numbers[corners[0]], left.vertex_numbers[corners[1]], left.vertex_numbers[corners[2]]});
         base.ranges.push_back(surface.face(f).range);
-        if (constant_directions) {
-            base.face_directions.push_back(
-                face_direction({surface.vertex(corners[0]).position, surface.vertex(corners[1]).position,
-                                surface.vertex(corners[2]).position}));
-        }
+    }
+}
+
+/// One direction for each face in the place of those of the vertices.
+void export_face_directions(const BaseSurface& surface, const Survivors& left, BaseMesh& base) {
+    base.directions.clear();
+    for (const std::int32_t f : left.faces) {
+        const Triangle corners = surface.corners(f);
+        base.face_directions.push_back(
+            face_direction({surface.vertex(corners[0]).position, surface.vertex(corners[1]).position,
+                            surface.vertex(corners[2]).position}));
     }
 }
 
@@ -101,14 +104,18 @@ void export_places(const BaseSurface& surface, const Survivors& left, const Loca
 
 } // namespace
 
-void export_base_mesh(const BaseSurface& surface, const LocalOrder& order, bool constant_directions, bool float32,
-                      BaseMesh& base, Correspondence& correspondence) {
+ExportedMesh export_base_mesh(const BaseSurface& surface, const LocalOrder& order, bool constant_directions,
+                              bool float32) {
     const Survivors left = survivors_of(surface, order);
-    base = {};
-    base.float32 = float32;
-    export_vertices(surface, left, order, !constant_directions, base);
-    export_faces(surface, left, constant_directions, base);
-    export_places(surface, left, order, correspondence);
+    ExportedMesh result;
+    result.base.float32 = float32;
+    export_vertices(surface, left, order, result.base);
+    export_faces(surface, left, result.base);
+    if (constant_directions) {
+        export_face_directions(surface, left, result.base);
+    }
+    export_places(surface, left, order, result.correspondence);
+    return result;
 }
 
 } // namespace foldless

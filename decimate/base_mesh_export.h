@@ -8,10 +8,16 @@
 
 namespace foldless {
 
+/// What a decimation leaves.
+struct ExportedMesh {
+    BaseMesh base;
+    Correspondence correspondence;
+};
+
 /// The surviving vertices and faces in the order of the scan as it was before `order`, with directions and ranges, and
 /// the place of every scan vertex. Vertices that no face uses are left out. With `constant_directions` every face has
 /// its own; `float32` says what positions are.
-void export_base_mesh(const BaseSurface& surface, const LocalOrder& order, bool constant_directions, bool float32,
-                      BaseMesh& base, Correspondence& correspondence);
+[[nodiscard]] ExportedMesh export_base_mesh(const BaseSurface& surface, const LocalOrder& order,
+                                            bool constant_directions, bool float32);
 
 } // namespace foldless

@@ -30,8 +30,8 @@ Collapse reversed(const BaseSurface& base, const Collapse& collapse) {
     return along(base, base.connectivity().opposite_halfedge_handle(collapse.halfedge));
 }
 
-Verdict make_collapse(BaseSurface& base, std::int32_t edge, std::span<const Mobility> mobility, int edge_valence_limit,
-                      Collapse& out) {
+Verdict make_collapse(BaseSurface& base, std::int32_t edge, const CollapseRules& rules, Collapse& out) {
+    const std::span<const Mobility> mobility = rules.mobility;
     const Connectivity& mesh = base.connectivity();
     const OpenMesh::EdgeHandle handle(edge);
     out = along(base, mesh.halfedge_handle(handle, 0));
@@ -47,7 +47,7 @@ Verdict make_collapse(BaseSurface& base, std::int32_t edge, std::span<const Mobi
         out = reversed(base, out);
     }
     const auto valence = [&](std::int32_t v) { return static_cast<int>(mesh.valence(OpenMesh::VertexHandle(v))); };
-    if (valence(out.gone) + valence(out.stays) - 1 >= edge_valence_limit) {
+    if (valence(out.gone) + valence(out.stays) - 1 >= rules.edge_valence_limit) {
         return Verdict::valence;
     }
     // A closed component of four faces would become two faces on the same corners, which OpenMesh does not see.

@@ -28,10 +28,15 @@ struct Collapse {
 /// What may move: a fixed vertex keeps its place for good.
 enum class Mobility : unsigned char { free, fixed };
 
+/// What a collapse must respect.
+struct CollapseRules {
+    std::span<const Mobility> mobility; ///< per base vertex
+    int edge_valence_limit;             ///< val(a) + val(b) - 1 stays below it
+};
+
 /// Chooses which end of the edge stays, a fixed one if there is one, and applies the guards of topology: `frozen`,
 /// `boundary`, `valence`, `link_condition`, in this order.
-[[nodiscard]] Verdict make_collapse(BaseSurface& base, std::int32_t edge, std::span<const Mobility> mobility,
-                                    int edge_valence_limit, Collapse& out);
+[[nodiscard]] Verdict make_collapse(BaseSurface& base, std::int32_t edge, const CollapseRules& rules, Collapse& out);
 
 /// The same collapse with the ends exchanged.
 [[nodiscard]] Collapse reversed(const BaseSurface& base, const Collapse& collapse);

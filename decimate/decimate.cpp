@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <ctime>
+#include <utility>
 
 namespace foldless {
 namespace {
@@ -54,8 +55,9 @@ DecimateResult decimate(const Scan& scan, const DecimateOptions& options) {
     DecimateResult result;
     result.stop_reason = decimator.run();
     result.statistics = decimator.statistics();
-    export_base_mesh(decimator.base(), order, options.directions == Directions::face, scan.float32, result.base,
-                     result.correspondence);
+    ExportedMesh left = export_base_mesh(decimator.base(), order, options.directions == Directions::face, scan.float32);
+    result.base = std::move(left.base);
+    result.correspondence = std::move(left.correspondence);
     result.statistics.setup_seconds = setup_seconds;
     result.statistics.setup_cpu_seconds = setup_cpu_seconds;
     result.statistics.decimate_seconds = loop.wall();

@@ -129,7 +129,7 @@ StopReason Decimator::run() {
 
 bool Decimator::ask(std::int32_t edge) {
     Collapse collapse;
-    Verdict verdict = make_collapse(base_, edge, mobility_, options_.edge_valence_limit, collapse);
+    Verdict verdict = make_collapse(base_, edge, {mobility_, options_.edge_valence_limit}, collapse);
     if (verdict != Verdict::accepted) {
         ++statistics_.refused[static_cast<std::size_t>(verdict)];
         return false;

@@ -30,7 +30,7 @@ Asked ask(World& world, std::int32_t a, std::int32_t b, const std::vector<std::i
         mobility[v] = Mobility::fixed;
     }
     Asked asked{};
-    asked.verdict = make_collapse(world.base(), world.edge(a, b), mobility, valence_limit, asked.collapse);
+    asked.verdict = make_collapse(world.base(), world.edge(a, b), {mobility, valence_limit}, asked.collapse);
     return asked;
 }
 
