@@ -22,6 +22,7 @@ public:
     struct Entry {
         std::int32_t other; ///< the larger vertex of the edge
         std::int32_t face;
+        // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 that the compiler compares with for one
         auto operator<=>(const Entry&) const = default;
     };
 

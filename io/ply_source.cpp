@@ -133,7 +133,8 @@ double PlyBytes::value(const PlyProperty& property) {
 
 std::size_t PlyBytes::list_length(const PlyProperty& property) {
     const double length = load_value(take(size(*property.count_type)), *property.count_type, order_);
-    if (length < 0 || length > static_cast<double>(space_left() / size(property.type))) {
+    const std::size_t most = space_left() / size(property.type);
+    if (length < 0 || length > static_cast<double>(most)) {
         fail(fmt::format("list {} cannot have {} values", in_quotes(property.name), length));
     }
     return static_cast<std::size_t>(length);

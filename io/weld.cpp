@@ -19,6 +19,7 @@ std::uint64_t key(double coordinate) {
 struct Entry {
     Key key;
     std::int32_t corner;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 that the compiler compares with for one
     auto operator<=>(const Entry&) const = default;
 };
 

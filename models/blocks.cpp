@@ -1,6 +1,7 @@
 #include <foldless/models/blocks.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -25,6 +26,10 @@ struct ByHeight {
     }
 };
 
+/// The sides of a box: an axis, and whether it is the upper end.
+constexpr std::array<std::pair<int, bool>, 6> sides{
+    {{0, false}, {0, true}, {1, false}, {1, true}, {2, false}, {2, true}}};
+
 /// The side of a box across `axis`, at its upper end or its lower one.
 ///
 /// With u and v the next two axes, e_u x e_v = e_axis points out of the upper side; for the lower one u and v swap.
@@ -45,16 +50,18 @@ Rectangle side_of(const Blocks& blocks, const GridPoint& box, int axis, bool upp
             blocks.axes[v].weights[box[v]]};
 }
 
+bool is_filled(const Blocks& blocks, const GridPoint& box) {
+    return std::find(blocks.filled.begin(), blocks.filled.end(), box) != blocks.filled.end();
+}
+
 std::vector<Rectangle> boundary_of(const Blocks& blocks) {
     std::vector<Rectangle> boundary;
     for (const GridPoint& box : blocks.filled) {
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const bool upper : {false, true}) {
-                GridPoint neighbour = box;
-                neighbour[axis] += upper ? 1 : -1;
-                if (std::find(blocks.filled.begin(), blocks.filled.end(), neighbour) == blocks.filled.end()) {
-                    boundary.push_back(side_of(blocks, box, axis, upper));
-                }
+        for (const auto& [axis, upper] : sides) {
+            GridPoint neighbour = box;
+            neighbour[axis] += upper ? 1 : -1;
+            if (!is_filled(blocks, neighbour)) {
+                boundary.push_back(side_of(blocks, box, axis, upper));
             }
         }
     }

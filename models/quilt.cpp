@@ -47,17 +47,20 @@ void Quilt::sew() {
             }
             assert(cells_along(side) == cells_along(edge_owners_[edge->second]));
             of_patch[s] = edge->second;
-            const auto corners = static_cast<std::size_t>(std::max(from, to)) + 1;
-            if (corner_owners_.size() < corners) {
-                corner_owners_.resize(corners, {-1, 0});
-            }
-            for (const int corner : {from, to}) {
-                if (corner_owners_[corner].patch < 0) {
-                    corner_owners_[corner] = side;
-                }
-            }
+            own_corner(from, side);
+            own_corner(to, side);
         }
         edges_of_.push_back(of_patch);
+    }
+}
+
+void Quilt::own_corner(int corner, Side side) {
+    const std::size_t count = static_cast<std::size_t>(corner) + 1;
+    if (corner_owners_.size() < count) {
+        corner_owners_.resize(count, {-1, 0});
+    }
+    if (corner_owners_[corner].patch < 0) {
+        corner_owners_[corner] = side;
     }
 }
 

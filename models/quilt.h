@@ -55,6 +55,7 @@ private:
     [[nodiscard]] std::int64_t vertex_on(Side side, std::int64_t step) const;
     [[nodiscard]] std::int32_t vertex_at(int patch, std::int64_t i, std::int64_t j) const;
     void sew();
+    void own_corner(int corner, Side side);
     void number();
 
     std::vector<QuiltPatch> patches_;

@@ -129,7 +129,7 @@ Place Associator::continued(std::int32_t vertex, const Association& association)
     }
     const Located located = locate(base_, index_, scan_.positions[vertex]);
     for (const std::int32_t neighbour : neighbours) {
-        const Place place = reached_from(neighbour, vertex, association, located.places);
+        Place place = reached_from(neighbour, vertex, association, located.places);
         if (place.exists()) {
             return place;
         }
@@ -144,6 +144,24 @@ Place Associator::nearest(std::int32_t vertex) const {
     });
 }
 
+/// Takes from `waiting` all vertices that scan edges between waiting ones connect with `first`, and that itself.
+void Associator::take_part(std::int32_t first, std::vector<bool>& waiting) const {
+    std::vector<std::int32_t> front{first};
+    waiting[first] = false;
+    while (!front.empty()) {
+        const std::int32_t vertex = front.back();
+        front.pop_back();
+        for (const std::int32_t face : scan_adjacency_.faces_around(vertex)) {
+            for (const std::int32_t next : scan_.faces[face]) {
+                if (waiting[next]) {
+                    waiting[next] = false;
+                    front.push_back(next);
+                }
+            }
+        }
+    }
+}
+
 /// The lowest vertex of every set of `open` vertices that scan edges between them connect; `open` is ascending.
 std::vector<std::int32_t> Associator::first_of_each_part(const std::vector<std::int32_t>& open) const {
     std::vector<bool> waiting(scan_.positions.size(), false);
@@ -151,24 +169,10 @@ std::vector<std::int32_t> Associator::first_of_each_part(const std::vector<std::
         waiting[vertex] = true;
     }
     std::vector<std::int32_t> result;
-    std::vector<std::int32_t> front;
-    for (const std::int32_t first : open) {
-        if (waiting[first]) {
-            result.push_back(first);
-            front.assign(1, first);
-            waiting[first] = false;
-        }
-        while (!front.empty()) {
-            const std::int32_t vertex = front.back();
-            front.pop_back();
-            for (const std::int32_t face : scan_adjacency_.faces_around(vertex)) {
-                for (const std::int32_t next : scan_.faces[face]) {
-                    if (waiting[next]) {
-                        waiting[next] = false;
-                        front.push_back(next);
-                    }
-                }
-            }
+    for (const std::int32_t vertex : open) {
+        if (waiting[vertex]) {
+            result.push_back(vertex);
+            take_part(vertex, waiting);
         }
     }
     return result;

@@ -36,6 +36,7 @@ private:
     [[nodiscard]] bool is_used(std::int32_t vertex) const;
     void resolve(std::vector<std::int32_t> open, Association& association) const;
     [[nodiscard]] bool has_another_nearby(std::int32_t vertex, const Place& place) const;
+    void take_part(std::int32_t first, std::vector<bool>& waiting) const;
     [[nodiscard]] std::vector<std::int32_t> first_of_each_part(const std::vector<std::int32_t>& open) const;
     void break_deadlock(const std::vector<std::int32_t>& open, Association& association) const;
     [[nodiscard]] std::vector<std::int32_t> placed_neighbours(std::int32_t vertex,

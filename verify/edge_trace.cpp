@@ -307,6 +307,7 @@ Sign Tracer::passes(const MovingFace& face, const Exit& exit) const {
 Trace trace(const BaseFaces& base, const Line& line, const std::vector<Foothold>& starts,
             const std::vector<Foothold>& ends) {
     std::vector<State> states;
+    states.reserve(starts.size());
     const auto is_end = [&](std::int32_t face) {
         return std::any_of(ends.begin(), ends.end(), [&](const Foothold& end) { return end.face == face; });
     };

@@ -193,6 +193,16 @@ void FaceChecks::check_sample(const Subject& subject, std::int32_t home, int i) 
     }
 }
 
+/// Adds the moving faces around a base vertex.
+void FaceChecks::meet_faces_around(std::int32_t vertex, Subject& subject) const {
+    for (const std::int32_t face : all_.base.adjacency().faces_around(vertex)) {
+        const bool is_new = std::find(subject.met.begin(), subject.met.end(), face) == subject.met.end();
+        if (is_new && all_.base.is_moving(face)) {
+            subject.met.push_back(face);
+        }
+    }
+}
+
 /// Adds the faces around every base vertex inside the triangle, going on from face to face: they need neither hold a
 /// corner nor be crossed by an edge. That a face is listed proves nothing, so doubles are enough.
 void FaceChecks::meet_pillars(Subject& subject) const {
@@ -204,14 +214,8 @@ void FaceChecks::meet_pillars(Subject& subject) const {
                 continue;
             }
             asked.push_back(vertex);
-            if (!pierced_at(mesh.positions[vertex], mesh.directions[vertex], subject.triangle)) {
-                continue;
-            }
-            for (const std::int32_t face : all_.base.adjacency().faces_around(vertex)) {
-                const bool is_new = std::find(subject.met.begin(), subject.met.end(), face) == subject.met.end();
-                if (is_new && all_.base.is_moving(face)) {
-                    subject.met.push_back(face);
-                }
+            if (pierced_at(mesh.positions[vertex], mesh.directions[vertex], subject.triangle)) {
+                meet_faces_around(vertex, subject);
             }
         }
     }

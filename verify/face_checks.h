@@ -49,6 +49,7 @@ private:
     [[nodiscard]] Sign orientation_in(const Subject& subject, std::int32_t base_face) const;
     void check_sample(const Subject& subject, std::int32_t home, int i);
     void meet_pillars(Subject& subject) const;
+    void meet_faces_around(std::int32_t vertex, Subject& subject) const;
     void remember(const Subject& subject);
     [[nodiscard]] bool owns_edge(std::int32_t face, int k) const;
     void judge(const Subject& subject, Sign sign, Violation violation);
