@@ -146,18 +146,15 @@ Place Associator::nearest(std::int32_t vertex) const {
 
 /// Takes from `waiting` all vertices that scan edges between waiting ones connect with `first`, and that itself.
 void Associator::take_part(std::int32_t first, std::vector<bool>& waiting) const {
+    const auto is_waiting = [&](std::int32_t vertex) { return waiting[vertex]; };
     std::vector<std::int32_t> front{first};
-    waiting[first] = false;
     while (!front.empty()) {
         const std::int32_t vertex = front.back();
         front.pop_back();
+        waiting[vertex] = false;
         for (const std::int32_t face : scan_adjacency_.faces_around(vertex)) {
-            for (const std::int32_t next : scan_.faces[face]) {
-                if (waiting[next]) {
-                    waiting[next] = false;
-                    front.push_back(next);
-                }
-            }
+            const Triangle& corners = scan_.faces[face];
+            std::copy_if(corners.begin(), corners.end(), std::back_inserter(front), is_waiting);
         }
     }
 }
