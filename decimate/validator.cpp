@@ -377,7 +377,7 @@ Verdict Validator::test_inside(std::int32_t scan_face, const std::array<std::int
 }
 
 Verdict Validator::test_faces() {
-    // The last culprit first, as in ask_witness().
+    // The last culprit first, as in ask_witness(). The order of the lists of scan faces depends on it, no verdict does.
     const auto witness = std::find(scan_faces_.begin(), scan_faces_.end(), face_witness_);
     if (witness != scan_faces_.end()) {
         std::iter_swap(scan_faces_.begin(), witness);
