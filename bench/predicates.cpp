@@ -3,6 +3,8 @@
 
 #include <foldless/bench/inversion_cases.h>
 #include <foldless/predicates/jacobian.h>
+#include <foldless/predicates/prismoid_line.h>
+#include <foldless/predicates/prismoid_point.h>
 #include <foldless/predicates/wall.h>
 
 #include <benchmark/benchmark.h>
@@ -53,19 +55,36 @@ void wall_prepare(benchmark::State& state) {
 }
 BENCHMARK(wall_prepare);
 
-void wall_passes(benchmark::State& state) {
+void wall_passed_one_way(benchmark::State& state) {
     const std::vector<WallCase> cases = wall_cases();
     const std::vector<Wall> walls = walls_of(cases);
-    measure_sign(state, [&](std::size_t i) { return walls[i].passes(cases[i].e, bench_range); });
+    measure(state, [&](std::size_t i) { return walls[i].is_passed_one_way(cases[i].e, bench_range); });
 }
-BENCHMARK(wall_passes);
+BENCHMARK(wall_passed_one_way);
 
-void wall_crossings(benchmark::State& state) {
-    const std::vector<WallCase> cases = wall_cases();
-    const std::vector<Wall> walls = walls_of(cases);
-    measure(state, [&](std::size_t i) { return walls[i].crossings(cases[i].a, cases[i].e, {bench_range, true}); });
+void point_in_prismoid(benchmark::State& state) {
+    const std::vector<InversionCase> cases = inversion_cases();
+    std::vector<PointFinder> finders;
+    for (const InversionCase& c : cases) {
+        finders.emplace_back(c.triangle, bench_range);
+    }
+    measure(state, [&](std::size_t i) { return finders[i].find(cases[i].q); });
 }
-BENCHMARK(wall_crossings);
+BENCHMARK(point_in_prismoid);
+
+void line_in_prismoid(benchmark::State& state) {
+    const std::vector<WallCase> cases = wall_cases();
+    std::vector<Vec3> ends;
+    std::vector<PrismoidPoint> starts;
+    for (const WallCase& c : cases) {
+        ends.emplace_back(c.a + c.e);
+        starts.push_back(PointFinder(c.triangle, bench_range).find(c.a).value());
+    }
+    measure(state, [&](std::size_t i) {
+        return follow_line(cases[i].triangle, {&cases[i].a, &ends[i]}, starts[i], nullptr).kind;
+    });
+}
+BENCHMARK(line_in_prismoid);
 
 } // namespace
 } // namespace foldless

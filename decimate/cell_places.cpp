@@ -39,8 +39,9 @@ Verdict CellPlaces::lacks(const Vec3& q, const Lift& known) const {
             return Verdict::undecided;
         }
         const bool in_range = at->t + at->t_error >= range.lo && at->t - at->t_error <= range.hi;
-        const bool inside = at->alpha.minCoeff() >= -at->alpha_error;
-        if (in_range && inside && !same_point(*surface_, known, {cell_, *at, wall_of(*at)})) {
+        const std::optional<Lift> lift =
+            in_range ? lift_of(cell_, surface_->cell(cell_).triangle, q, *at) : std::nullopt;
+        if (lift && !same_point(*surface_, known, *lift)) {
             return Verdict::several_preimages;
         }
     }

@@ -35,6 +35,7 @@ DecimateOptions paper_options() {
     options.store_directions = false;
     options.placement = Placement::midpoint;
     options.unique_among_fold_free = true;
+    options.orientation_test = true;
     options.edge_valence_limit = 12;
     return options;
 }

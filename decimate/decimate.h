@@ -44,7 +44,8 @@ struct DecimateOptions {
     bool store_directions = true; ///< false: directions of the one-ring are recomputed after each collapse
     Placement placement = Placement::best;
     bool unique_among_fold_free =
-        false; ///< a second inverse displacement with J > 0 refuses at any t, not only in range
+        false;                     ///< a second inverse displacement with J > 0 refuses at any t, not only in range
+    bool orientation_test = false; ///< also ask Maggiordomo et al. 2023, section 5.2: sufficient conditions do without
     Boundary boundary = Boundary::lock;
     std::optional<double> max_displacement;        ///< bound on |t| |d| over whole faces, model units; no value: none
     int edge_valence_limit = 20;                   ///< val(a) + val(b) - 1 of a collapsed edge stays below this

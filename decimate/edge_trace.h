@@ -6,6 +6,8 @@
 #include <foldless/decimate/patched_surface.h>
 #include <foldless/decimate/verdict.h>
 
+#include <foldless/predicates/prismoid_line.h>
+
 #include <array>
 #include <vector>
 
@@ -13,52 +15,28 @@ namespace foldless {
 
 /// One end of a scan edge: a point, and where it lies.
 struct TraceEnd {
-    Vec3 point;
+    const Vec3* point;
     int cell; ///< for a kept vertex, the cell in which the edge starts
-    double t;
-    std::int32_t kept; ///< the base vertex that it is kept as, or -1
+    PrismoidPoint at;
 };
-
-/// A stretch of a scan edge with both ends in one cell.
-struct Stretch {
-    Vec3 a;                                   ///< start of the edge
-    Vec3 e;                                   ///< from its start to its end
-    std::array<double, 2> s;                  ///< the ends of the stretch, 0 at the start of the edge, 1 at its end
-    double s_error;                           ///< bound on their errors
-    Range range;                              ///< hull of the displacements of its ends
-    std::array<std::int32_t, 2> kept{-1, -1}; ///< base vertices that its ends are kept as, or -1
-    int exit = -1;                            ///< the wall through which it leaves, which is not asked
-};
-
-/// The direction in which a scan edge along `e` passes each wall of a cell over a range of displacements, as
-/// Wall::passes() has it.
-struct Passing {
-    Range range;
-    std::array<Sign, 3> sign;
-};
-[[nodiscard]] Passing passing(const Cell& cell, const Vec3& e, Range range);
-
-/// Whether the stretch certainly meets no wall of the cell between its ends: every wall is either passed in one
-/// direction only over its displacements, hence at most once, which two ends on the inner side exclude; or it starts
-/// from an end of the stretch and is met only there; or the line of the edge misses it; or the stretch stays on one
-/// side of it; or its crossings, all known, lie elsewhere. Cheapest first, what is known already before all.
-[[nodiscard]] bool meets_no_wall(const PatchedSurface& surface, int cell, const Stretch& stretch, const Passing& known);
 
 /// A crossing of a scan edge with the wall between two cells.
 struct TraceCrossing {
-    int from, to;                     ///< cells
+    int from;                         ///< the cell that is left
+    int wall;                         ///< through its wall opposite this corner
+    int to;                           ///< the cell that is entered
     std::array<std::int32_t, 2> edge; ///< base vertices of the wall
-    double lambda;                    ///< 0 at edge[0], 1 at edge[1]
-    double lambda_error;
-    double t, t_error;
+    Displacement t;
 };
 
-/// Follows the edge and appends its crossings in order. `no_preimage` if it leaves through a border or into an
-/// impassable cell, `undecided` if its way cannot be proven.
-///
-/// Within a cell, the way from one point to the next stays inside if every wall is passed in one direction only over
-/// the displacements between them: then it meets each wall at most once, and both ends are on its inner side. The
-/// displacement is monotone on the way (docs/certificate.md).
+/// Whether an edge along e whose ends lie in the cell, at displacements within the range, certainly stays in it: every
+/// wall is passed in one direction only. What the test leaves open is for trace_edge().
+[[nodiscard]] bool certainly_stays_in(const Cell& cell, const Vec3& e, Range range);
+
+/// Follows the edge and appends its crossings in order. `no_preimage` if it leaves through a border, into an impassable
+/// cell, or elsewhere than to its end; `out_of_range` if it crosses a wall outside the range of a cell there; `tie` if
+/// it passes a pillar; `undecided` if it passes too many walls. Exact; J > 0 is relied on in the new cells, within the
+/// displacements that are met.
 [[nodiscard]] Verdict trace_edge(PatchedSurface& surface, const TraceEnd& a, const TraceEnd& b,
                                  std::vector<TraceCrossing>& crossings);
 

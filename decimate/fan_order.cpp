@@ -1,5 +1,6 @@
 #include <foldless/decimate/fan_order.h>
 
+#include <foldless/predicates/pillar.h>
 #include <foldless/predicates/scan_normal.h>
 
 #include <algorithm>
@@ -117,20 +118,40 @@ Verdict FanOrder::no_sector_holds(std::size_t spoke, std::size_t first, std::siz
 }
 
 Verdict FanOrder::find_cell(const Sighting& edge, const PatchedSurface& surface, int& cell) const {
-    bool along_side = false;
     for (std::size_t c = 0; c < fan_->cells.size(); ++c) {
         const Sign from_right = follows(spokes_[c].sighting, edge);
-        if (from_right == Sign::negative) {
+        if (from_right == Sign::negative ||
+            follows(edge, spokes_[(c + 1) % spokes_.size()].sighting) != Sign::positive) {
             continue;
         }
-        const Sign to_left = follows(edge, spokes_[(c + 1) % spokes_.size()].sighting);
-        if (from_right == Sign::positive && to_left == Sign::positive) {
+        if (from_right == Sign::positive) {
             cell = static_cast<int>(c);
             return surface.cell(fan_->cells[c]).impassable ? Verdict::no_preimage : Verdict::accepted;
         }
-        along_side = along_side || to_left != Sign::negative;
+        return find_cell_along(c, edge, surface, cell);
     }
-    return along_side ? Verdict::tie : Verdict::no_preimage;
+    return Verdict::no_preimage;
+}
+
+/// An edge that is seen along the base edge to spokes[c].
+Verdict FanOrder::find_cell_along(std::size_t c, const Sighting& edge, const PatchedSurface& surface, int& cell) const {
+    const int left = fan_->cells[c];
+    if (surface.cell(left).impassable) {
+        return Verdict::tie;
+    }
+    const Sign into_left = leaves_wall_into(surface.cell(left).triangle, surface.corner_of(left, vertex_),
+                                            Displacement(), {&centre_, &edge.end});
+    if (into_left == Sign::positive) {
+        cell = static_cast<int>(c);
+        return Verdict::accepted;
+    }
+    if (c == 0 && !fan_->closed) {
+        return Verdict::tie;
+    }
+    const std::size_t right = (c + fan_->cells.size() - 1) % fan_->cells.size();
+    const bool is_right = into_left == Sign::negative || fan_->cells[right] < left;
+    cell = static_cast<int>(is_right ? right : c);
+    return surface.cell(fan_->cells[right]).impassable ? Verdict::tie : Verdict::accepted;
 }
 
 int FanOrder::position(std::int32_t neighbour) const {

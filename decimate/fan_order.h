@@ -20,8 +20,10 @@ namespace foldless {
 class FanOrder {
 public:
     /// Sorts the scan edges of the kept base vertex `v` into its fan and checks that they go round once: `accepted`,
-    /// `orientation` if they do not, `no_preimage` if an edge starts outside the fan or in an impassable cell,
-    /// `tie` if one starts exactly along a base edge that it is not. `jacobian` if the base fan itself turns too far.
+    /// `orientation` if they do not, `no_preimage` if an edge starts outside the fan or in an impassable cell. One that
+    /// is seen exactly along a base edge that it is not starts on the side to which it leaves the wall; if it stays in
+    /// the wall, in the lower of the two cells there, which owns it; `tie` if a cell is missing or impassable.
+    /// `jacobian` if the base fan itself turns too far.
     [[nodiscard]] Verdict reset(std::int32_t v, PatchedSurface& surface, const Scan& scan,
                                 const ScanTopology& topology);
 
@@ -53,6 +55,8 @@ private:
                                      const ScanTopology& topology);
     [[nodiscard]] Verdict add_edge(std::int32_t neighbour, const Sighting& edge, const PatchedSurface& surface);
     [[nodiscard]] Verdict find_cell(const Sighting& edge, const PatchedSurface& surface, int& cell) const;
+    [[nodiscard]] Verdict find_cell_along(std::size_t c, const Sighting& edge, const PatchedSurface& surface,
+                                          int& cell) const;
     [[nodiscard]] Verdict base_turns_once(const PatchedSurface& surface) const;
     [[nodiscard]] Verdict no_sector_holds(std::size_t spoke, std::size_t first, std::size_t last) const;
     [[nodiscard]] Verdict goes_round_once(std::int32_t scan_vertex, const Scan& scan,

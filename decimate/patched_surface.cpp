@@ -20,7 +20,7 @@ void PatchedSurface::reset(const Patch& patch, bool constant_directions) {
     patch_ = &patch;
     constant_directions_ = constant_directions;
     ++stamp_;
-    cells_.clear();
+    cells_used_ = 0;
     fans_used_ = 0;
     for (const std::int32_t face : patch.removed) {
         removed_stamp_[face] = stamp_;
@@ -54,7 +54,11 @@ const BaseVertex& PatchedSurface::vertex(std::int32_t v) const {
 }
 
 void PatchedSurface::prepare(std::int32_t face, const Triangle& corners, bool impassable) {
-    Cell& cell = cells_.emplace_back();
+    if (cells_used_ == static_cast<int>(cells_.size())) {
+        cells_.push_back(std::make_unique<Cell>());
+    }
+    Cell& cell = *cells_[cells_used_++];
+    cell.walls.fill(std::nullopt);
     cell.face = face;
     cell.corners = corners;
     cell.neighbours.fill(not_yet_known);
@@ -90,7 +94,7 @@ int PatchedSurface::cell_of(std::int32_t face) {
     assert(!removes(face));
     if (cell_stamp_[face] != stamp_) {
         cell_stamp_[face] = stamp_;
-        cell_index_[face] = static_cast<int>(cells_.size());
+        cell_index_[face] = cells_used_;
         prepare(face, base_->corners(face), base_->face(face).is_scan_face);
     }
     return cell_index_[face];
@@ -98,7 +102,7 @@ int PatchedSurface::cell_of(std::int32_t face) {
 
 int PatchedSurface::new_cell_along(std::int32_t from, std::int32_t to) const {
     for (int c = 0; c < new_cells(); ++c) {
-        const Triangle& corners = cells_[c].corners;
+        const Triangle& corners = cells_[c]->corners;
         for (int k = 0; k < 3; ++k) {
             if (corners[k] == from && corners[(k + 1) % 3] == to) {
                 return c;
@@ -109,18 +113,18 @@ int PatchedSurface::new_cell_along(std::int32_t from, std::int32_t to) const {
 }
 
 int PatchedSurface::neighbour(int c, int k) {
-    if (cells_[c].neighbours[k] == not_yet_known) {
+    if (cells_[c]->neighbours[k] == not_yet_known) {
         const int found = find_neighbour(c, k);
-        cells_[c].neighbours[k] = found; // after the search, which may add cells
+        cells_[c]->neighbours[k] = found; // after the search, which may add cells
     }
-    return cells_[c].neighbours[k];
+    return cells_[c]->neighbours[k];
 }
 
 int PatchedSurface::find_neighbour(int c, int k) {
-    const std::int32_t from = cells_[c].corners[(k + 1) % 3];
-    const std::int32_t to = cells_[c].corners[(k + 2) % 3];
-    if (cells_[c].face >= 0) {
-        const std::int32_t face = base_->neighbour(cells_[c].face, k);
+    const std::int32_t from = cells_[c]->corners[(k + 1) % 3];
+    const std::int32_t to = cells_[c]->corners[(k + 2) % 3];
+    if (cells_[c]->face >= 0) {
+        const std::int32_t face = base_->neighbour(cells_[c]->face, k);
         if (face >= 0 && !removes(face)) {
             return cell_of(face);
         }
@@ -132,13 +136,13 @@ int PatchedSurface::find_neighbour(int c, int k) {
 }
 
 int PatchedSurface::corner_of(int c, std::int32_t v) const {
-    const Triangle& corners = cells_[c].corners;
+    const Triangle& corners = cells_[c]->corners;
     const auto found = std::find(corners.begin(), corners.end(), v);
     return found == corners.end() ? -1 : static_cast<int>(found - corners.begin());
 }
 
 bool PatchedSurface::share_corner(int a, int b) const {
-    const Triangle& corners = cells_[b].corners;
+    const Triangle& corners = cells_[b]->corners;
     return corner_of(a, corners[0]) >= 0 || corner_of(a, corners[1]) >= 0 || corner_of(a, corners[2]) >= 0;
 }
 
@@ -199,10 +203,10 @@ void PatchedSurface::walk_around(Fan& fan) {
     do {
         const int k = corner_of(c, fan.vertex);
         fan.cells.push_back(c);
-        fan.spokes.push_back(cells_[c].corners[(k + 1) % 3]);
+        fan.spokes.push_back(cells_[c]->corners[(k + 1) % 3]);
         const int next = neighbour(c, (k + 1) % 3);
         if (next == border) {
-            fan.spokes.push_back(cells_[c].corners[(k + 2) % 3]);
+            fan.spokes.push_back(cells_[c]->corners[(k + 2) % 3]);
         }
         c = next;
     } while (c != border && c != start);
@@ -213,7 +217,7 @@ void PatchedSurface::walk_around(Fan& fan) {
     for (c = neighbour(start, (corner_of(start, fan.vertex) + 2) % 3); c != border;) {
         const int k = corner_of(c, fan.vertex);
         fan.cells.insert(fan.cells.begin(), c);
-        fan.spokes.insert(fan.spokes.begin(), cells_[c].corners[(k + 1) % 3]);
+        fan.spokes.insert(fan.spokes.begin(), cells_[c]->corners[(k + 1) % 3]);
         c = neighbour(c, (k + 2) % 3);
     }
 }

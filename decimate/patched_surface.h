@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -59,8 +60,9 @@ public:
     void reset(const Patch& patch, bool constant_directions);
 
     [[nodiscard]] int new_cells() const { return static_cast<int>(patch_->added.size()); }
-    [[nodiscard]] Cell& cell(int c) { return cells_[c]; }
-    [[nodiscard]] const Cell& cell(int c) const { return cells_[c]; }
+    /// Stays where it is until the next reset().
+    [[nodiscard]] Cell& cell(int c) { return *cells_[c]; }
+    [[nodiscard]] const Cell& cell(int c) const { return *cells_[c]; }
     [[nodiscard]] const BaseVertex& vertex(std::int32_t v) const;
     [[nodiscard]] const BaseSurface& base() const { return *base_; }
 
@@ -91,7 +93,8 @@ private:
     const BaseSurface* base_;
     const Patch* patch_ = nullptr;
     bool constant_directions_ = false;
-    std::vector<Cell> cells_;
+    std::vector<std::unique_ptr<Cell>> cells_; ///< the first cells_used_ are of this patch
+    int cells_used_ = 0;
     std::uint32_t stamp_ = 0;
     std::vector<std::uint32_t> removed_stamp_; ///< per base face
     std::vector<std::uint32_t> cell_stamp_;    ///< per base face

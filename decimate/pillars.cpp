@@ -1,10 +1,8 @@
 #include <foldless/decimate/pillars.h>
 
-#include <foldless/predicates/rounding.h>
-#include <foldless/predicates/scan_normal.h>
+#include <foldless/predicates/pillar.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace foldless {
 namespace {
@@ -13,42 +11,14 @@ std::pair<std::int32_t, std::int32_t> ordered(std::int32_t a, std::int32_t b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
-/// Does the pillar of the base vertex pass through the inside of the scan triangle with N.n > 0? Positive: yes;
-/// negative: no; zero: through its border. Exactly.
-Sign pierces(const BaseVertex& vertex, const ScanTriangle& q) {
-    if (seen_along(vertex.direction, q) != Sign::positive) {
-        return Sign::negative;
-    }
-    // Seen along the direction, the triangle is counter-clockwise; the pillar is a point, to the left of all edges.
-    Sign result = Sign::positive;
-    for (int k = 0; k < 3; ++k) {
-        const Sign side = seen_along(vertex.direction, {q[k], q[(k + 1) % 3], vertex.position});
-        if (side == Sign::negative) {
-            return Sign::negative;
-        }
-        if (side != Sign::positive) {
-            result = Sign::zero;
-        }
-    }
-    return result;
+/// Does its pillar pass through the inside of the scan triangle with N.n > 0? Positive: yes; negative: no; zero:
+/// through its border. A kept vertex is inside no scan triangle.
+Sign is_inside(const BaseVertex& vertex, const ScanTriangle& triangle) {
+    return vertex.scan_vertex >= 0 ? Sign::negative : pierces({vertex.position, vertex.direction}, triangle);
 }
 
-/// Displacement at which the pillar meets the plane of the triangle: t = -l/m with l = (v - q0).n and m = d.n.
-Pillar pillar_at(std::int32_t index, const BaseVertex& vertex, const ScanTriangle& q) {
-    const ScanNormal n(q);
-    const Vec3 offset = vertex.position - q[0];
-    const double l = offset.dot(n.value());
-    const double m = vertex.direction.dot(n.value());
-    const double l_error = 2 * n.error(offset); // twice: the offset is itself rounded
-    const double m_error = n.error(vertex.direction);
-    const double t = -l / m;
-    const double t_error =
-        (l_error + std::abs(t) * m_error) / (std::abs(m) - m_error) + 2 * unit_roundoff * std::abs(t);
-    return {index, t, t_error};
-}
-
-bool contains(const std::vector<Pillar>& pillars, std::int32_t vertex) {
-    return std::any_of(pillars.begin(), pillars.end(), [&](const Pillar& p) { return p.vertex == vertex; });
+bool contains(const std::vector<std::int32_t>& vertices, std::int32_t vertex) {
+    return std::find(vertices.begin(), vertices.end(), vertex) != vertices.end();
 }
 
 } // namespace
@@ -68,22 +38,21 @@ bool OddEdges::contains(std::int32_t a, std::int32_t b) const {
 }
 
 Verdict PillarFlood::find(PatchedSurface& surface, const ScanTriangle& triangle, const OddEdges& odd,
-                          std::vector<Pillar>& inside) {
+                          std::vector<std::int32_t>& inside) {
     inside.clear();
     outside_.clear();
     odd_met_ = 0;
     for (const auto& edge : odd.values()) {
         for (const std::int32_t v : {edge.first, edge.second}) {
-            if (contains(inside, v) || std::find(outside_.begin(), outside_.end(), v) != outside_.end()) {
+            if (contains(inside, v) || contains(outside_, v)) {
                 continue;
             }
-            const BaseVertex& vertex = surface.vertex(v);
-            const Sign sign = vertex.scan_vertex >= 0 ? Sign::negative : pierces(vertex, triangle);
+            const Sign sign = is_inside(surface.vertex(v), triangle);
             if (sign == Sign::zero) {
                 return Verdict::tie;
             }
             if (sign == Sign::positive) {
-                inside.push_back(pillar_at(v, vertex, triangle));
+                inside.push_back(v);
             } else {
                 outside_.push_back(v);
             }
@@ -98,10 +67,10 @@ Verdict PillarFlood::find(PatchedSurface& surface, const ScanTriangle& triangle,
 }
 
 Verdict PillarFlood::spread(PatchedSurface& surface, const ScanTriangle& triangle, const OddEdges& odd,
-                            std::vector<Pillar>& inside) {
+                            std::vector<std::int32_t>& inside) {
     Verdict verdict = Verdict::accepted;
     for (std::size_t next = 0; verdict == Verdict::accepted && next < inside.size(); ++next) {
-        const std::int32_t v = inside[next].vertex;
+        const std::int32_t v = inside[next];
         const Fan& fan = surface.fan(v);
         const auto impassable = [&](int c) { return surface.cell(c).impassable; };
         if (!fan.closed || std::any_of(fan.cells.begin(), fan.cells.end(), impassable)) {
@@ -122,13 +91,12 @@ Verdict PillarFlood::spread(PatchedSurface& surface, const ScanTriangle& triangl
 }
 
 Verdict PillarFlood::enter(const PatchedSurface& surface, const ScanTriangle& triangle, std::int32_t spoke,
-                           std::vector<Pillar>& inside) {
-    const BaseVertex& vertex = surface.vertex(spoke);
-    const Sign sign = vertex.scan_vertex >= 0 ? Sign::negative : pierces(vertex, triangle);
+                           std::vector<std::int32_t>& inside) {
+    const Sign sign = is_inside(surface.vertex(spoke), triangle);
     if (sign != Sign::positive) {
         return sign == Sign::zero ? Verdict::tie : Verdict::normal_condition;
     }
-    inside.push_back(pillar_at(spoke, vertex, triangle));
+    inside.push_back(spoke);
     return Verdict::accepted;
 }
 

@@ -13,13 +13,6 @@
 
 namespace foldless {
 
-/// A base vertex whose pillar passes through a scan triangle, at the displacement t.
-struct Pillar {
-    std::int32_t vertex;
-    double t;
-    double t_error;
-};
-
 /// Base edges that the boundary of a scan triangle crosses an odd number of times.
 class OddEdges {
 public:
@@ -42,14 +35,14 @@ private:
 class PillarFlood {
 public:
     [[nodiscard]] Verdict find(PatchedSurface& surface, const ScanTriangle& triangle, const OddEdges& odd,
-                               std::vector<Pillar>& inside);
+                               std::vector<std::int32_t>& inside);
 
 private:
     [[nodiscard]] Verdict spread(PatchedSurface& surface, const ScanTriangle& triangle, const OddEdges& odd,
-                                 std::vector<Pillar>& inside);
+                                 std::vector<std::int32_t>& inside);
     /// Adds a vertex that must be inside, as an even edge leads there from one that is.
     [[nodiscard]] static Verdict enter(const PatchedSurface& surface, const ScanTriangle& triangle, std::int32_t spoke,
-                                       std::vector<Pillar>& inside);
+                                       std::vector<std::int32_t>& inside);
 
     std::vector<std::int32_t> outside_;
     std::size_t odd_met_ = 0;

@@ -3,6 +3,7 @@
 #include <foldless/predicates/jacobian.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace foldless {
@@ -14,18 +15,37 @@ constexpr double clearly_outside = 1e-5;
 
 } // namespace
 
-int wall_of(const Enclosure& at) {
+PrismoidPoint Lift::point(const BaseTriangle& triangle, const Vec3& q) const {
+    return {Displacement::of_point(triangle, q, {at.t - at.t_error, at.t + at.t_error}), walls};
+}
+
+std::optional<Lift> lift_of(int cell, const BaseTriangle& triangle, const Vec3& q, const Enclosure& at) {
+    Lift lift{cell, at, 0};
     for (int k = 0; k < 3; ++k) {
-        if (at.alpha[k] <= at.alpha_error) {
-            return k;
+        Sign sign = sign_within(at.alpha[k], at.alpha_error);
+        if (sign == Sign::undecided) {
+            sign = sign_of_coordinate(triangle, k, q, lift.point(triangle, q).t);
         }
+        if (sign == Sign::negative) {
+            return std::nullopt;
+        }
+        lift.walls |= sign == Sign::zero ? wall_bit(k) : 0U;
     }
-    return -1;
+    return lift;
 }
 
 bool same_point(PatchedSurface& surface, const Lift& a, const Lift& b) {
-    return a.wall >= 0 && b.wall >= 0 && surface.neighbour(a.cell, a.wall) == b.cell &&
-           surface.neighbour(b.cell, b.wall) == a.cell;
+    for (int k = 0; k < 3; ++k) {
+        if ((a.walls & wall_bit(k)) == 0 || surface.neighbour(a.cell, k) != b.cell) {
+            continue;
+        }
+        for (int m = 0; m < 3; ++m) {
+            if ((b.walls & wall_bit(m)) != 0 && surface.neighbour(b.cell, m) == a.cell) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 bool is_clearly_outside(const Preimage& preimage) {
@@ -69,7 +89,7 @@ void PointLocation::find_in(const Prepared& prepared, const Vec3& q) {
 void PointLocation::collect(const Preimages& preimages, const Prepared& prepared, const Vec3& q) {
     const BaseTriangle& triangle = surface_->cell(prepared.cell).triangle;
     if (preimages.kind == Preimages::Kind::infinite) {
-        undecided_ = true;
+        failure_ = Verdict::undecided;
         return;
     }
     for (const Preimage& preimage : preimages) {
@@ -78,42 +98,39 @@ void PointLocation::collect(const Preimages& preimages, const Prepared& prepared
         }
         const std::optional<Enclosure> at = enclose(triangle, q, preimage.alpha, preimage.t);
         if (!at) {
-            undecided_ = true;
+            failure_ = Verdict::undecided;
             continue;
         }
-        int walls = 0;
-        bool outside = false;
-        for (int k = 0; k < 3; ++k) {
-            outside = outside || at->alpha[k] < -at->alpha_error;
-            walls += at->alpha[k] <= at->alpha_error ? 1 : 0;
-        }
-        if (!outside) {
-            found_.push_back({prepared.cell, *at, wall_of(*at)});
-            undecided_ = undecided_ || walls > 1; // on a pillar: only a kept vertex may be there
+        if (const std::optional<Lift> lift = lift_of(prepared.cell, triangle, q, *at)) {
+            found_.push_back(*lift);
+            if (std::popcount(lift->walls) > 1) { // only a kept vertex may be on a pillar
+                failure_ = Verdict::tie;
+            }
         }
     }
 }
 
 Verdict PointLocation::on_open_wall(const Lift& lift) const {
-    // Where J > 0 on both sides the prismoids lie on opposite sides of their common wall, so a point that rounding puts
-    // on the wall has its place on this side, on the wall, or on the other side: in each case exactly one. Beyond a
-    // wall of the border or of an impassable cell there is no other side.
-    if (lift.wall < 0) {
-        return Verdict::accepted;
+    // Where J > 0 on both sides the prismoids lie on opposite sides of their common wall (lemma L8), so a point on the
+    // wall has one place. Beyond a wall of the border or of an impassable cell there is no other side.
+    for (int k = 0; k < 3; ++k) {
+        if ((lift.walls & wall_bit(k)) != 0) {
+            const int other = surface_->neighbour(lift.cell, k);
+            return other == border || surface_->cell(other).impassable ? Verdict::tie : Verdict::accepted;
+        }
     }
-    const int other = surface_->neighbour(lift.cell, lift.wall);
-    return other == border || surface_->cell(other).impassable ? Verdict::undecided : Verdict::accepted;
+    return Verdict::accepted;
 }
 
 Verdict PointLocation::locate(const Vec3& q, Lift& lift) {
     found_.clear();
     alternatives_.clear();
-    undecided_ = false;
+    failure_ = Verdict::accepted;
     for (const Prepared& prepared : prepared_) {
         find_in(prepared, q);
     }
-    if (undecided_) {
-        return Verdict::undecided;
+    if (failure_ != Verdict::accepted) {
+        return failure_;
     }
     if (found_.empty()) {
         return Verdict::no_preimage;

@@ -6,7 +6,9 @@
 #include <foldless/decimate/prismoid.h>
 #include <foldless/decimate/verdict.h>
 #include <foldless/predicates/enclosure.h>
+#include <foldless/predicates/prismoid_point.h>
 
+#include <optional>
 #include <vector>
 
 namespace foldless {
@@ -15,11 +17,14 @@ namespace foldless {
 struct Lift {
     int cell;
     Enclosure at;
-    int wall; ///< the corner opposite the wall on which it lies as far as rounding can tell, or -1
+    Walls walls; ///< those on which it lies, exactly
+
+    /// For the exact predicates; refers to the triangle of the cell and to the position of the vertex.
+    [[nodiscard]] PrismoidPoint point(const BaseTriangle& triangle, const Vec3& q) const;
 };
 
-/// The corner opposite the wall on which a point inside or on a triangle lies as far as rounding can tell, or -1.
-[[nodiscard]] int wall_of(const Enclosure& at);
+/// The place near a solution that is known up to rounding: nothing if that is outside the triangle. Exact.
+[[nodiscard]] std::optional<Lift> lift_of(int cell, const BaseTriangle& triangle, const Vec3& q, const Enclosure& at);
 
 /// Whether two places are the same point on the common wall of their cells.
 [[nodiscard]] bool same_point(PatchedSurface& surface, const Lift& a, const Lift& b);
@@ -39,7 +44,8 @@ public:
     /// Prepares the new cells. `jacobian` if J <= 0 at a corner of one, else `accepted`.
     [[nodiscard]] Verdict reset(PatchedSurface& surface, Uniqueness uniqueness);
 
-    /// The place of q. Fails with `no_preimage`, `several_preimages` or `undecided`.
+    /// The place of q. Fails with `no_preimage`, `several_preimages`, `tie` if it lies on a pillar or on a wall without
+    /// another side, or `undecided`.
     [[nodiscard]] Verdict locate(const Vec3& q, Lift& lift);
 
     /// Inverse displacements that the last call to locate() found beside the one it chose; they must turn out to lie
@@ -61,7 +67,7 @@ private:
     std::vector<Prepared> prepared_;
     std::vector<Lift> found_;
     std::vector<Lift> alternatives_;
-    bool undecided_ = false;
+    Verdict failure_ = Verdict::accepted; ///< while solutions are collected
 };
 
 } // namespace foldless

@@ -2,6 +2,9 @@
 
 #include <foldless/io/float32.h>
 #include <foldless/predicates/jacobian.h>
+#include <foldless/predicates/pillar.h>
+#include <foldless/predicates/prismoid_line.h>
+#include <foldless/predicates/prismoid_point.h>
 #include <foldless/predicates/scan_orientation.h>
 
 #include <algorithm>
@@ -10,10 +13,6 @@
 
 namespace foldless {
 namespace {
-
-/// Ranges are padded by this many times the error of a displacement, so that the same crossing, computed again from the
-/// other side of a wall with other roundings, still lies inside.
-constexpr double range_padding = 4;
 
 /// The nearest float32 not above / not below the value.
 double float_below(double value) {
@@ -150,7 +149,12 @@ Verdict Validator::find_place(std::int32_t v, Lift& lift) {
 Verdict Validator::test_normals_at(std::int32_t v, const Lift& lift) const {
     const InterpolatedDirection d(surface_.cell(lift.cell).triangle.d, lift.at.alpha, lift.at.alpha_error);
     for (const std::int32_t f : topology_->faces_around(v)) {
-        const Sign sign = d.sees(normals_[f]);
+        Sign sign = d.sees(normals_[f]);
+        if (sign == Sign::undecided) {
+            const BaseTriangle& triangle = surface_.cell(lift.cell).triangle;
+            const Vec3& q = scan_->positions[v];
+            sign = normal_condition_at(triangle, q, lift.point(triangle, q).t, triangle_of(*scan_, f));
+        }
         if (sign != Sign::positive) {
             return verdict_of(sign, Verdict::normal_condition);
         }
@@ -171,16 +175,20 @@ Verdict Validator::locate_vertex(std::int32_t v) {
     moved_[v] = {stamp_, static_cast<std::int32_t>(lifts_.size())};
     lifts_.push_back(lift);
     trial_.places.push_back({v, lift.cell, lift.at.alpha, lift.at.t});
-    const Verdict reached = reach(lift.cell, lift.at.t, lift.at.t_error);
-    const int beside = lift.wall < 0 ? border : surface_.neighbour(lift.cell, lift.wall);
-    return reached != Verdict::accepted || beside == border ? reached : reach(beside, lift.at.t, lift.at.t_error);
+    const Displacement t = lift.point(surface_.cell(lift.cell).triangle, scan_->positions[v]).t;
+    Verdict reached = reach(lift.cell, t);
+    for (int k = 0; k < 3 && reached == Verdict::accepted; ++k) {
+        const int beside = (lift.walls & wall_bit(k)) == 0 ? border : surface_.neighbour(lift.cell, k);
+        reached = beside == border ? Verdict::accepted : reach(beside, t);
+    }
+    return reached;
 }
 
 Verdict Validator::reach_kept_corners(const Patch& patch) {
     for (std::size_t c = 0; c < patch.added.size(); ++c) {
         const std::array<bool, 3>& kept = surface_.cell(static_cast<int>(c)).kept;
         if (!trial_.faces[c].is_scan_face && (kept[0] || kept[1] || kept[2])) {
-            const Verdict verdict = reach(static_cast<int>(c), 0, 0);
+            const Verdict verdict = reach(static_cast<int>(c), Displacement());
             if (verdict != Verdict::accepted) {
                 return verdict;
             }
@@ -247,24 +255,40 @@ const FanOrder* Validator::order_of(std::int32_t base_vertex, std::int32_t scan_
     return known ? &orders_[ordered_[scan_vertex].order] : nullptr;
 }
 
-bool Validator::corner(std::int32_t scan_vertex, Corner& out) {
+Verdict Validator::corner(std::int32_t scan_vertex, Corner& out) {
     out.scan_vertex = scan_vertex;
+    out.cell = -1;
+    out.order = nullptr;
     const std::int32_t n = moved(scan_vertex);
     if (n >= 0) {
-        const Lift& lift = lifts_[n];
-        out = {scan_vertex, lift.cell, nullptr, lift.at.alpha, lift.at.t, lift.at.alpha_error};
-        return true;
+        out.cell = lifts_[n].cell;
+        out.lift = lifts_[n];
+        return Verdict::accepted;
     }
     const Place& place = base_->place(scan_vertex);
     if (place.kept >= 0) {
-        out = {scan_vertex, -1, nullptr, Vec3::Zero(), 0.0, 0.0};
         if (!options_.constant_directions) {
             out.order = order_of(place.kept, scan_vertex);
         }
-        return out.order != nullptr || options_.constant_directions;
+        return out.order != nullptr || options_.constant_directions ? Verdict::accepted : Verdict::orientation;
     }
-    out = {scan_vertex, surface_.cell_of(place.face), nullptr, place.alpha, place.t, 0.0};
-    return true;
+    out.cell = surface_.cell_of(place.face);
+    const BaseTriangle& triangle = surface_.cell(out.cell).triangle;
+    const Vec3& q = scan_->positions[scan_vertex];
+    const std::optional<Enclosure> at = enclose(triangle, q, place.alpha, place.t);
+    const std::optional<Lift> lift = at ? lift_of(out.cell, triangle, q, *at) : std::nullopt;
+    if (lift) {
+        out.lift = *lift;
+    }
+    return lift ? Verdict::accepted : Verdict::undecided;
+}
+
+/// Where a corner lies in a cell that holds it.
+PrismoidPoint Validator::point_in(int cell, const Corner& corner) const {
+    if (corner.order != nullptr) {
+        return {Displacement(), walls_at_corner(surface_.corner_of(cell, corner.order->vertex()))};
+    }
+    return corner.lift.point(surface_.cell(cell).triangle, scan_->positions[corner.scan_vertex]);
 }
 
 void Validator::touch(int cell, std::int32_t scan_face) {
@@ -277,18 +301,31 @@ void Validator::touch(int cell, std::int32_t scan_face) {
     }
 }
 
-Verdict Validator::reach(int cell, double t, double t_error) {
-    if (cell < surface_.new_cells()) {
-        hulls_[cell].lo = std::min(hulls_[cell].lo, t - range_padding * t_error);
-        hulls_[cell].hi = std::max(hulls_[cell].hi, t + range_padding * t_error);
-        return Verdict::accepted;
-    }
-    const Range range = surface_.cell(cell).range;
-    return t - t_error >= range.lo && t + t_error <= range.hi ? Verdict::accepted : Verdict::out_of_range;
+void Validator::extend_hull(int cell, Range t) {
+    hulls_[cell].lo = std::min(hulls_[cell].lo, t.lo);
+    hulls_[cell].hi = std::max(hulls_[cell].hi, t.hi);
 }
 
-std::int32_t Validator::kept_as(const Corner& corner) {
-    return corner.order == nullptr ? -1 : corner.order->vertex();
+Verdict Validator::reach(int cell, const Displacement& t) {
+    if (cell < surface_.new_cells()) {
+        extend_hull(cell, t.bounds());
+        return Verdict::accepted;
+    }
+    return within(t, surface_.cell(cell).range) == Sign::negative ? Verdict::out_of_range : Verdict::accepted;
+}
+
+/// The pillar of a base vertex inside the scan face: its displacement there is in the range of all faces around it.
+Verdict Validator::reach_pillar(std::int32_t vertex, const ScanTriangle& q, std::int32_t scan_face) {
+    const DisplacedVertex pillar{surface_.vertex(vertex).position, surface_.vertex(vertex).direction};
+    for (const int cell : surface_.fan(vertex).cells) {
+        touch(cell, scan_face);
+        if (cell < surface_.new_cells()) {
+            extend_hull(cell, displacement_at_plane(pillar, q));
+        } else if (!meets_plane_within(pillar, q, surface_.cell(cell).range)) {
+            return Verdict::out_of_range;
+        }
+    }
+    return Verdict::accepted;
 }
 
 int Validator::common_cell(const std::array<Corner, 3>& corners) const {
@@ -321,8 +358,9 @@ Verdict Validator::stays_in(int cell, const std::array<Corner, 3>& corners) cons
     Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (int k = 0; k < 3; ++k) {
         const Corner& corner = corners[k];
-        range.lo = std::min(range.lo, corner.t);
-        range.hi = std::max(range.hi, corner.t);
+        const Range t = corner.order == nullptr ? point_in(cell, corner).t.bounds() : Range{0.0, 0.0};
+        range.lo = std::min(range.lo, t.lo);
+        range.hi = std::max(range.hi, t.hi);
         if (corner.order == nullptr) {
             continue;
         }
@@ -342,10 +380,12 @@ Verdict Validator::stays_in(int cell, const std::array<Corner, 3>& corners) cons
         if (a.order != nullptr && a.order->is_base_edge(b.scan_vertex)) {
             continue;
         }
-        const Vec3& from = scan_->positions[a.scan_vertex];
-        const Vec3 e = scan_->positions[b.scan_vertex] - from;
-        const Stretch whole{from, e, {0.0, 1.0}, 0.0, range, {kept_as(a), kept_as(b)}, -1};
-        if (!meets_no_wall(surface_, cell, whole, passing(surface_.cell(cell), e, range))) {
+        const ScanLine line{&scan_->positions[a.scan_vertex], &scan_->positions[b.scan_vertex]};
+        if (certainly_stays_in(surface_.cell(cell), *line.to - *line.from, range)) {
+            continue;
+        }
+        const PrismoidPoint end = point_in(cell, b);
+        if (follow_line(surface_.cell(cell).triangle, line, point_in(cell, a), &end).kind != Passage::Kind::ends) {
             return Verdict::undecided;
         }
     }
@@ -366,13 +406,16 @@ bool Validator::is_inside_one_cell(const std::array<std::int32_t, 3>& moved) con
 
 Verdict Validator::test_inside(std::int32_t scan_face, const std::array<std::int32_t, 3>& moved) {
     const int cell = lifts_[moved[0]].cell;
+    touch(cell, scan_face);
+    if (!options_.orientation) {
+        return Verdict::accepted;
+    }
     BarycentricTriangle alpha;
     std::array<double, 3> error{};
     for (int k = 0; k < 3; ++k) {
         alpha[k] = lifts_[moved[k]].at.alpha;
         error[k] = lifts_[moved[k]].at.alpha_error;
     }
-    touch(cell, scan_face);
     return verdict_of(scan_orientation(alpha, error), Verdict::orientation);
 }
 
@@ -404,8 +447,9 @@ Verdict Validator::test_face(std::int32_t scan_face) {
     }
     int kept = 0;
     for (int k = 0; k < 3; ++k) {
-        if (!corner(face[k], corners[k])) {
-            return Verdict::undecided;
+        const Verdict found = corner(face[k], corners[k]);
+        if (found != Verdict::accepted) {
+            return found;
         }
         kept += corners[k].cell < 0 ? 1 : 0;
     }
@@ -424,19 +468,20 @@ Verdict Validator::test_face(std::int32_t scan_face) {
         }
         return Verdict::no_preimage;
     }
-    Verdict verdict = test_kept_corners(corners, normal);
+    const ScanTriangle q = triangle_of(*scan_, scan_face);
+    Verdict verdict = test_kept_corners(q, corners, normal);
     if (verdict != Verdict::accepted) {
         return verdict;
     }
     if (cell >= 0 && stays_in(cell, corners) == Verdict::accepted) {
         touch(cell, scan_face);
-        return cell < surface_.new_cells() ? test_orientation(cell, corners) : Verdict::accepted;
+        return test_orientation(cell, corners);
     }
-    verdict = test_spanning(triangle_of(*scan_, scan_face), corners, normal);
-    if (verdict == Verdict::accepted && cell >= 0 && cell < surface_.new_cells() && holds_corners(cell, corners)) {
+    verdict = test_spanning(q, corners, normal);
+    if (verdict == Verdict::accepted && cell >= 0 && holds_corners(cell, corners)) {
         verdict = test_orientation(cell, corners); // its edges may leave the cell, its corners do not
     }
-    return verdict == Verdict::accepted ? record(scan_face, corners) : verdict;
+    return verdict == Verdict::accepted ? record(scan_face, q, corners) : verdict;
 }
 
 bool Validator::holds_corners(int cell, const std::array<Corner, 3>& corners) const {
@@ -446,12 +491,15 @@ bool Validator::holds_corners(int cell, const std::array<Corner, 3>& corners) co
 }
 
 Verdict Validator::test_orientation(int cell, const std::array<Corner, 3>& corners) const {
+    if (!options_.orientation || cell >= surface_.new_cells()) {
+        return Verdict::accepted;
+    }
     BarycentricTriangle alpha;
     std::array<double, 3> error{};
     for (int k = 0; k < 3; ++k) {
         const int corner = corners[k].order == nullptr ? -1 : surface_.corner_of(cell, corners[k].order->vertex());
-        alpha[k] = corner < 0 ? corners[k].alpha : Vec3(Vec3::Unit(corner));
-        error[k] = corners[k].alpha_error;
+        alpha[k] = corner < 0 ? corners[k].lift.at.alpha : Vec3(Vec3::Unit(corner));
+        error[k] = corner < 0 ? corners[k].lift.at.alpha_error : 0.0;
     }
     return verdict_of(scan_orientation(alpha, error), Verdict::orientation);
 }
@@ -461,33 +509,31 @@ Verdict Validator::test_constant(std::int32_t scan_face, const std::array<Corner
     // The prismoids of neighbours with different normals leave gaps or overlap, so a scan face must lie over one face.
     // A right prism is convex: with the corners inside, the whole face is.
     for (int c = 0; c < surface_.new_cells(); ++c) {
-        std::array<Corner, 3> in_cell = corners;
-        bool all = true;
-        for (Corner& corner : in_cell) {
-            if (corner.cell < 0) {
-                const int k = surface_.corner_of(c, base_->place(corner.scan_vertex).kept);
-                all = all && k >= 0;
-                corner.alpha = Vec3::Unit(std::max(k, 0));
-            } else {
-                all = all && corner.cell == c;
-            }
-        }
+        const bool all = std::all_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+            return corner.cell < 0 ? surface_.corner_of(c, base_->place(corner.scan_vertex).kept) >= 0
+                                   : corner.cell == c;
+        });
         if (!all) {
             continue;
         }
+        // Seen along one direction, a triangle keeps its orientation exactly where N.n > 0.
         touch(c, scan_face);
-        const Verdict seen = verdict_of(normal.seen_along(surface_.cell(c).triangle.d[0]), Verdict::normal_condition);
-        const bool itself = surface_.cell(c).impassable;
-        return seen != Verdict::accepted || itself ? seen : test_orientation(c, in_cell);
+        return verdict_of(normal.seen_along(surface_.cell(c).triangle.d[0]), Verdict::normal_condition);
     }
     return Verdict::no_preimage;
 }
 
-Verdict Validator::test_kept_corners(const std::array<Corner, 3>& corners, const ScanNormal& normal) const {
+Verdict Validator::test_kept_corners(const ScanTriangle& q, const std::array<Corner, 3>& corners,
+                                     const ScanNormal& normal) const {
     for (const Corner& corner : corners) {
-        const Sign sign = corner.order == nullptr
-                              ? Sign::positive
-                              : normal.seen_along(surface_.vertex(corner.order->vertex()).direction);
+        if (corner.order == nullptr) {
+            continue;
+        }
+        const Vec3& direction = surface_.vertex(corner.order->vertex()).direction;
+        Sign sign = normal.seen_along(direction);
+        if (sign == Sign::undecided) {
+            sign = seen_along(direction, q);
+        }
         if (sign != Sign::positive) {
             return verdict_of(sign, Verdict::normal_condition);
         }
@@ -501,7 +547,7 @@ Verdict Validator::trace(const Corner& a, const Corner& b) {
     }
     const auto end = [&](const Corner& at, const Corner& other) {
         const int cell = at.order != nullptr ? at.order->start_cell(other.scan_vertex) : at.cell;
-        return TraceEnd{scan_->positions[at.scan_vertex], cell, at.t, kept_as(at)};
+        return TraceEnd{&scan_->positions[at.scan_vertex], cell, point_in(cell, at)};
     };
     const Corner& low = a.scan_vertex < b.scan_vertex ? a : b;
     const Corner& high = a.scan_vertex < b.scan_vertex ? b : a;
@@ -519,23 +565,17 @@ Verdict Validator::test_spanning(const ScanTriangle& q, const std::array<Corner,
             return verdict;
         }
     }
-    Verdict verdict = test_crossings(normal);
+    Verdict verdict = test_crossings(q, normal);
     return verdict == Verdict::accepted ? test_pillars(q, corners) : verdict;
 }
 
-Verdict Validator::test_crossings(const ScanNormal& normal) const {
+Verdict Validator::test_crossings(const ScanTriangle& q, const ScanNormal& normal) const {
     const bool seen_by_all = cone_.sees(normal);
     for (const TraceCrossing& crossing : crossings_) {
         if (seen_by_all && std::min(crossing.from, crossing.to) < surface_.new_cells()) {
             continue;
         }
-        const Vec3& d_i = surface_.vertex(crossing.edge[0]).direction;
-        const Vec3& d_j = surface_.vertex(crossing.edge[1]).direction;
-        Sign sign = Sign::positive;
-        if (normal.seen_along(d_i) != Sign::positive || normal.seen_along(d_j) != Sign::positive) {
-            sign = normal_condition({d_i, d_j, d_j}, Vec3(1 - crossing.lambda, crossing.lambda, 0),
-                                    crossing.lambda_error, normal);
-        }
+        const Sign sign = normal_condition_at_wall(surface_.cell(crossing.from).triangle, crossing.wall, crossing.t, q);
         const Verdict verdict = verdict_of(sign, Verdict::normal_condition);
         if (verdict != Verdict::accepted) {
             return verdict;
@@ -566,7 +606,7 @@ Verdict Validator::test_pillars(const ScanTriangle& q, const std::array<Corner, 
     return odd_.empty() ? Verdict::accepted : flood_.find(surface_, q, odd_, inside_);
 }
 
-Verdict Validator::record(std::int32_t scan_face, const std::array<Corner, 3>& corners) {
+Verdict Validator::record(std::int32_t scan_face, const ScanTriangle& q, const std::array<Corner, 3>& corners) {
     for (int k = 0; k < 3; ++k) {
         touch(corners[k].cell, scan_face);
         const bool passable =
@@ -579,19 +619,16 @@ Verdict Validator::record(std::int32_t scan_face, const std::array<Corner, 3>& c
     for (const TraceCrossing& crossing : crossings_) {
         for (const int cell : {crossing.from, crossing.to}) {
             touch(cell, scan_face);
-            const Verdict verdict = reach(cell, crossing.t, crossing.t_error);
+            const Verdict verdict = reach(cell, crossing.t);
             if (verdict != Verdict::accepted) {
                 return verdict;
             }
         }
     }
-    for (const Pillar& pillar : inside_) {
-        for (const int cell : surface_.fan(pillar.vertex).cells) {
-            touch(cell, scan_face);
-            const Verdict verdict = reach(cell, pillar.t, pillar.t_error);
-            if (verdict != Verdict::accepted) {
-                return verdict;
-            }
+    for (const std::int32_t vertex : inside_) {
+        const Verdict verdict = reach_pillar(vertex, q, scan_face);
+        if (verdict != Verdict::accepted) {
+            return verdict;
         }
     }
     return Verdict::accepted;
@@ -699,7 +736,8 @@ Verdict Validator::test_vertices_of(int outer) const {
             }
             const Place& place = base_->place(v);
             const std::optional<Enclosure> at = enclose(surface_.cell(outer).triangle, q, place.alpha, place.t);
-            const Verdict verdict = at ? here.lacks(q, {outer, *at, wall_of(*at)}) : Verdict::undecided;
+            const std::optional<Lift> known = at ? lift_of(outer, surface_.cell(outer).triangle, q, *at) : std::nullopt;
+            const Verdict verdict = known ? here.lacks(q, *known) : Verdict::undecided;
             if (verdict != Verdict::accepted) {
                 return verdict;
             }

@@ -25,6 +25,7 @@ namespace foldless {
 struct ValidatorOptions {
     Uniqueness uniqueness = Uniqueness::in_range;
     bool constant_directions = false;       ///< each face is displaced along its own normal
+    bool orientation = false;               ///< the test of Maggiordomo et al. 2023, section 5.2, besides
     std::optional<double> max_displacement; ///< bound on |t| |d| over whole faces, model units
 };
 
@@ -50,10 +51,10 @@ struct Trial {
 /// whether the change is a collapse, a flip or a relocation.
 ///
 /// Accepted means: every scan vertex on the patch has exactly one place within the ranges of the new faces (V, unique
-/// mapping), N.n > 0 there for every scan face around it, every scan triangle keeps its orientation, every scan edge
-/// can be followed across the walls (E) with N.n > 0 at the crossings (X), the pillars inside scan triangles fit (P),
-/// the scan goes round once at kept vertices (K), and J > 0 on every new prismoid over its range (C0). All of it on the
-/// values as stored, decided within proven error bounds or refused. (Collins & Hilton 2002, section 5; Maggiordomo et
+/// mapping), N.n > 0 there for every scan face around it, every scan edge can be followed across the walls (E) with
+/// N.n > 0 at the crossings (X), the pillars inside scan triangles fit (P), the scan goes round once at kept vertices
+/// (K), and J > 0 on every new prismoid over its range (C0); if asked for, every scan triangle keeps its orientation.
+/// All of it on the values as stored, decided exactly, or refused. (Collins & Hilton 2002, section 5; Maggiordomo et
 /// al. 2023, section 5.2; docs/algorithm.md)
 class Validator {
 public:
@@ -78,9 +79,7 @@ private:
         std::int32_t scan_vertex;
         int cell;              ///< where it lies, -1 if it is kept
         const FanOrder* order; ///< the fan of a kept vertex, else null
-        Vec3 alpha;
-        double t;
-        double alpha_error;
+        Lift lift;             ///< if it is not kept
     };
 
     [[nodiscard]] Verdict ask_witness();
@@ -100,22 +99,23 @@ private:
     [[nodiscard]] Verdict test_constant(std::int32_t scan_face, const std::array<Corner, 3>& corners,
                                         const ScanNormal& normal);
     [[nodiscard]] Verdict test_orientation(int cell, const std::array<Corner, 3>& corners) const;
-    [[nodiscard]] Verdict record(std::int32_t scan_face, const std::array<Corner, 3>& corners);
+    [[nodiscard]] Verdict record(std::int32_t scan_face, const ScanTriangle& q, const std::array<Corner, 3>& corners);
     [[nodiscard]] Verdict test_spanning(const ScanTriangle& q, const std::array<Corner, 3>& corners,
                                         const ScanNormal& normal);
     [[nodiscard]] Verdict trace(const Corner& a, const Corner& b);
-    [[nodiscard]] Verdict test_kept_corners(const std::array<Corner, 3>& corners, const ScanNormal& normal) const;
-    [[nodiscard]] Verdict test_crossings(const ScanNormal& normal) const;
+    [[nodiscard]] Verdict test_kept_corners(const ScanTriangle& q, const std::array<Corner, 3>& corners,
+                                            const ScanNormal& normal) const;
+    [[nodiscard]] Verdict test_crossings(const ScanTriangle& q, const ScanNormal& normal) const;
     [[nodiscard]] Verdict test_pillars(const ScanTriangle& q, const std::array<Corner, 3>& corners);
     [[nodiscard]] Verdict close_ranges();
     [[nodiscard]] Verdict test_alternatives() const;
     [[nodiscard]] Verdict test_faces_beside();
     [[nodiscard]] Verdict test_places_in(int outer);
     [[nodiscard]] Verdict test_vertices_of(int outer) const;
-    [[nodiscard]] bool corner(std::int32_t scan_vertex, Corner& out);
+    [[nodiscard]] Verdict corner(std::int32_t scan_vertex, Corner& out);
+    [[nodiscard]] PrismoidPoint point_in(int cell, const Corner& corner) const;
     [[nodiscard]] Verdict order_fan(std::int32_t base_vertex, std::int32_t scan_vertex);
     [[nodiscard]] const FanOrder* order_of(std::int32_t base_vertex, std::int32_t scan_vertex);
-    [[nodiscard]] static std::int32_t kept_as(const Corner& corner);
     [[nodiscard]] bool holds_corners(int cell, const std::array<Corner, 3>& corners) const;
     [[nodiscard]] int common_cell(const std::array<Corner, 3>& corners) const;
     [[nodiscard]] Verdict stays_in(int cell, const std::array<Corner, 3>& corners) const;
@@ -123,7 +123,9 @@ private:
     /// The cells between two scan edges that leave a kept vertex; false if one is impassable.
     [[nodiscard]] bool touch_between(const FanOrder& order, std::int32_t first, std::int32_t second,
                                      std::int32_t scan_face);
-    [[nodiscard]] Verdict reach(int cell, double t, double t_error);
+    [[nodiscard]] Verdict reach(int cell, const Displacement& t);
+    [[nodiscard]] Verdict reach_pillar(std::int32_t vertex, const ScanTriangle& q, std::int32_t scan_face);
+    void extend_hull(int cell, Range t);
 
     const BaseSurface* base_;
     const Scan* scan_;
@@ -167,10 +169,10 @@ private:
     // Scratch of the scan face under test.
     std::vector<TraceCrossing> crossings_;
     OddEdges odd_;
-    std::vector<Pillar> inside_;
-    std::vector<int> beside_;      ///< cells beside the patch
-    std::vector<CellPlaces> here_; ///< the new cells that move
-    Box around_here_;              ///< around all of them
+    std::vector<std::int32_t> inside_; ///< base vertices
+    std::vector<int> beside_;          ///< cells beside the patch
+    std::vector<CellPlaces> here_;     ///< the new cells that move
+    Box around_here_;                  ///< around all of them
 };
 
 } // namespace foldless

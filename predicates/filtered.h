@@ -4,6 +4,7 @@
 #pragma once
 
 #include <foldless/predicates/sign.h>
+#include <foldless/predicates/sign_counts.h>
 #include <foldless/predicates/vector.h>
 
 #include <CGAL/Interval_nt.h>
@@ -68,17 +69,22 @@ inline Sign sign_of(const Exact& x) {
     }
 }
 
+void count_filtered();
+void count_exact();
+
 /// What `decide` answers in intervals, or where that is undecided, in exact numbers. It is called with a zero of the
 /// number type and must be right in both; the inputs must be finite.
 template <class Decide>
 Sign filtered(const Decide& decide) {
-    {
+    if (filters_enabled()) {
         const UpwardRounding upward;
         const Sign sign = decide(Interval(0));
         if (sign != Sign::undecided) {
+            count_filtered();
             return sign;
         }
     }
+    count_exact();
     return decide(Exact(0));
 }
 

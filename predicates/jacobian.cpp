@@ -120,8 +120,8 @@ bool clearly_positive_on(const BaseTriangle& triangle, Range range) {
     const bool counted = std::min(size1, size2) >= least_length;
     return counted && std::all_of(triangle.d.begin(), triangle.d.end(), [&](const Vec3& d) {
                const double error = 20 * unit_roundoff * sum_norm(d) * 2 * size1 * size2;
-               return sum_norm(d) >= least_length && d.dot(n_lo) > error && d.dot(n_mixed) > error &&
-                      d.dot(n_hi) > error;
+               const auto is_positive = [&](const Vec3& n) { return sign_within(d.dot(n), error) == Sign::positive; };
+               return sum_norm(d) >= least_length && is_positive(n_lo) && is_positive(n_mixed) && is_positive(n_hi);
            });
 }
 
@@ -131,7 +131,8 @@ Sign jacobian_on(const BaseTriangle& triangle, Range range) {
     if (!(range.lo <= range.hi) || !std::isfinite(range.lo) || !std::isfinite(range.hi) || !is_finite(triangle)) {
         return Sign::negative;
     }
-    if (clearly_positive_on(triangle, range)) {
+    if (filters_enabled() && clearly_positive_on(triangle, range)) {
+        count_filtered();
         return Sign::positive;
     }
     return filtered([&](const auto& zero) { return jacobian_in<std::decay_t<decltype(zero)>>(triangle, range); });

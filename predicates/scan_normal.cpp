@@ -35,8 +35,9 @@ ScanNormal ScanNormal::normalised() const {
 }
 
 Sign seen_along(const Vec3& d, const ScanTriangle& triangle) {
-    const Sign fast = ScanNormal(triangle).seen_along(d);
+    const Sign fast = filters_enabled() ? ScanNormal(triangle).seen_along(d) : Sign::undecided;
     if (fast != Sign::undecided) {
+        count_filtered();
         return fast;
     }
     if (!d.allFinite() || !triangle[0].allFinite() || !triangle[1].allFinite() || !triangle[2].allFinite()) {

@@ -109,7 +109,8 @@ Json located_json(const VerifyResult& result) {
 }
 
 Json certificate_json(const VerifyResult& result) {
-    return {{"level", "vertices"},
+    return {{"level", name(result.level)},
+            {"signs", {{"filtered", result.signs.filtered}, {"exact", result.signs.exact}}},
             {"violations", result.violation_total()},
             {"ambiguous_vertices", result.ambiguous_vertices},
             {"uncovered_fraction", result.uncovered_fraction},

@@ -147,7 +147,7 @@ Lines located_lines(const VerifyResult& result) {
 }
 
 std::string certificate_text(const VerifyResult& result) {
-    return fmt::format("level vertices, {}, {:.3g} % of the base mesh uncovered{}",
+    return fmt::format("level {}, {}, {:.3g} % of the base mesh uncovered{}", name(result.level),
                        counted(result.ambiguous_vertices, "ambiguous vertex", "ambiguous vertices"),
                        percent * result.uncovered_fraction,
                        result.ranges_computed ? ", ranges computed, since the file has none" : "");

@@ -2,8 +2,6 @@
 
 #include <foldless/verify/winding.h>
 
-#include <foldless/predicates/jacobian.h>
-
 #include <algorithm>
 #include <limits>
 
@@ -54,7 +52,7 @@ void check_jacobians(const BaseFaces& base, Stages& stages, double share, Findin
     stages.for_each(base.moving().size(), share, [&](std::size_t i) {
         const std::int32_t f = base.moving()[i];
         const MovingFace& face = base.face(f);
-        if (jacobian_on(face.triangle, face.range) != Sign::positive) {
+        if (!face.is_fold_free()) {
             findings.add({.violation = Violation::jacobian, .base_face = f, .position = face.triangle.v[0]});
         }
     });

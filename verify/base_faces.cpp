@@ -1,5 +1,7 @@
 #include <foldless/verify/base_faces.h>
 
+#include <foldless/predicates/jacobian.h>
+
 namespace foldless::verification {
 namespace {
 
@@ -53,13 +55,19 @@ MovingFace BaseFaces::prepare(std::int32_t face) const {
     const BaseMesh& base = meshes_.base;
     const BaseTriangle triangle = triangle_of(base, face);
     const Range stored = base.ranges.empty() ? Range{1, -1} : base.ranges[face];
-    MovingFace result{
-        base.faces[face], {}, triangle, stored.lo <= stored.hi ? stored : Range{1, -1}, InverseDisplacement(triangle)};
+    MovingFace result{base.faces[face], {}, triangle, stored.lo <= stored.hi ? stored : Range{1, -1}};
+    result.jacobian = jacobian_on(triangle, result.range);
     for (int k = 0; k < 3; ++k) {
         const std::int32_t neighbour = meshes_.base_adjacency.neighbour(face, k);
         result.across[k] = neighbour >= 0 && is_moving(neighbour) ? neighbour : -1;
     }
     return result;
+}
+
+void BaseFaces::set_range(std::int32_t face, Range range) {
+    MovingFace& moving = faces_[index_[face]];
+    moving.range = range;
+    moving.jacobian = jacobian_on(moving.triangle, range);
 }
 
 } // namespace foldless::verification

@@ -5,7 +5,7 @@
 
 #include <foldless/verify/meshes.h>
 
-#include <foldless/predicates/inverse_displacement.h>
+#include <foldless/predicates/sign.h>
 #include <foldless/predicates/vector.h>
 
 #include <array>
@@ -20,8 +20,10 @@ struct MovingFace {
     Triangle corners;
     std::array<std::int32_t, 3> across; ///< the moving face across the wall opposite each corner, or -1
     BaseTriangle triangle;
-    Range range; ///< {1, -1}, which holds nothing, if the stored one is empty or not a number
-    InverseDisplacement inverse;
+    Range range;                    ///< {1, -1}, which holds nothing, if the stored one is empty or not a number
+    Sign jacobian = Sign::negative; ///< positive if J > 0 on the prismoid (C0)
+
+    [[nodiscard]] bool is_fold_free() const { return jacobian == Sign::positive; }
 };
 
 /// A base face whose corners are kept and, in this cyclic order, the corners of a scan face, and whose range is [0, 0],
@@ -44,8 +46,8 @@ public:
     [[nodiscard]] std::size_t frozen_count() const { return meshes_.base.faces.size() - moving_.size(); }
     [[nodiscard]] bool scan_face_is_frozen(std::int32_t scan_face) const { return frozen_scan_faces_[scan_face]; }
 
-    /// \pre is_moving(face)
-    void set_range(std::int32_t face, Range range) { faces_[index_[face]].range = range; }
+    /// Judges C0 anew. \pre is_moving(face)
+    void set_range(std::int32_t face, Range range);
 
 private:
     [[nodiscard]] MovingFace prepare(std::int32_t face) const;

@@ -23,7 +23,7 @@ struct BaseRay {
 
 struct Hit {
     Sign facing; ///< positive: the ray leaves through the front
-    ScanPoint point;
+    Vec3 position;
 };
 
 /// Where the line meets the triangle, border included as far as rounding can tell: a line that passes between two
@@ -46,7 +46,7 @@ std::optional<Hit> hit(const BaseRay& ray, const ScanTriangle& q) {
         weight[k] = std::max(value, 0.0);
     }
     const double sum = weight[0] + weight[1] + weight[2];
-    return Hit{facing, point_of(q, weight[1] / sum, weight[2] / sum)};
+    return Hit{facing, q[0] + weight[1] / sum * (q[1] - q[0]) + weight[2] / sum * (q[2] - q[0])};
 }
 
 Box box_of(const ScanTriangle& q) {
@@ -60,8 +60,9 @@ class FaceRays {
 public:
     using Meets = std::span<const std::pair<std::int32_t, std::int32_t>>;
 
-    FaceRays(const Correspondents& all, const ScanImage& image, std::int32_t face, Meets meets)
-        : all_(all), image_(image), face_(face), meets_(meets) {
+    /// \pre the face does not fold
+    FaceRays(const Correspondents& all, std::int32_t face, Meets meets)
+        : all_(all), face_(face), finder_(all.base.face(face).triangle, all.base.face(face).range), meets_(meets) {
         std::vector<Box> boxes;
         for (const auto& [base_face, scan_face] : meets) {
             boxes.push_back(box_of(all.triangle(scan_face)));
@@ -79,20 +80,13 @@ public:
     [[nodiscard]] Answer cast(const Vec3& alpha) const;
 
 private:
-    /// A displacement at which the ray meets the scan. Through an edge of the scan it meets the faces on both sides, at
-    /// displacements that rounding may tell apart; two faces with an edge in common that the ray leaves through the
-    /// front lie on two sides of it, so they are one sheet.
-    struct Sheet {
-        std::int32_t scan_face;
-        double t;
-        double t_error;
-    };
-    [[nodiscard]] bool share_edge(std::int32_t a, std::int32_t b) const;
+    /// Through an edge or a vertex of the scan the ray meets all faces there, one sheet.
+    [[nodiscard]] bool share_vertex(std::int32_t a, std::int32_t b) const;
     [[nodiscard]] Box reach(const BaseRay& ray) const;
 
     const Correspondents& all_;
-    const ScanImage& image_;
     std::int32_t face_;
+    PointFinder finder_;
     Meets meets_;
     BoxTree tree_;
 };
@@ -108,11 +102,10 @@ Box FaceRays::reach(const BaseRay& ray) const {
     return Box(box.min() - margin, box.max() + margin);
 }
 
-bool FaceRays::share_edge(std::int32_t a, std::int32_t b) const {
+bool FaceRays::share_vertex(std::int32_t a, std::int32_t b) const {
     const Triangle& face = all_.scan.faces[a];
-    const Triangle& other = all_.scan.faces[b];
-    return std::count_if(face.begin(), face.end(),
-                         [&](std::int32_t v) { return std::find(other.begin(), other.end(), v) != other.end(); }) >= 2;
+    return std::any_of(face.begin(), face.end(),
+                       [&](std::int32_t vertex) { return corner_of(all_.scan.faces[b], vertex) >= 0; });
 }
 
 FaceRays::Answer FaceRays::cast(const Vec3& alpha) const {
@@ -120,23 +113,15 @@ FaceRays::Answer FaceRays::cast(const Vec3& alpha) const {
     const BaseRay ray{alpha[0] * triangle.v[0] + alpha[1] * triangle.v[1] + alpha[2] * triangle.v[2],
                       alpha[0] * triangle.d[0] + alpha[1] * triangle.d[1] + alpha[2] * triangle.d[2]};
     Answer answer{.origin = ray.origin};
-    std::vector<Sheet> sheets;
+    std::vector<std::int32_t> sheets; // a scan face of each
     tree_.visit(reach(ray), [&](std::int32_t i) {
         const std::int32_t scan_face = meets_[i].second;
         const std::optional<Hit> at = hit(ray, all_.triangle(scan_face));
-        if (!at) {
+        if (!at || !finder_.find(at->position)) {
             return;
         }
-        const Lifted lifted = lift(all_, scan_face, image_.home[scan_face], at->point);
-        if (!lifted.place || lifted.place->face != face_) {
-            return;
-        }
-        const Enclosure& here = lifted.place->at;
-        const auto is_here = [&](const Sheet& sheet) {
-            return std::abs(here.t - sheet.t) <= here.t_error + sheet.t_error || share_edge(scan_face, sheet.scan_face);
-        };
-        if (std::none_of(sheets.begin(), sheets.end(), is_here)) {
-            sheets.push_back({scan_face, here.t, here.t_error});
+        if (std::none_of(sheets.begin(), sheets.end(), [&](std::int32_t f) { return share_vertex(scan_face, f); })) {
+            sheets.push_back(scan_face);
         }
         answer.from_behind = answer.from_behind || at->facing == Sign::negative;
         answer.scan_face = std::max(answer.scan_face, scan_face);
@@ -150,10 +135,10 @@ double area(const std::array<Vec3, 3>& corners) {
 }
 
 /// The entries of one base face.
-FaceRays::Meets meets_of(const ScanImage& image, std::int32_t face) {
+FaceRays::Meets meets_of(const Meetings& meetings, std::int32_t face) {
     const auto by_face = [](const auto& entry, std::int32_t wanted) { return entry.first < wanted; };
-    const auto begin = std::lower_bound(image.meets.begin(), image.meets.end(), face, by_face);
-    const auto end = std::lower_bound(begin, image.meets.end(), face + 1, by_face);
+    const auto begin = std::lower_bound(meetings.begin(), meetings.end(), face, by_face);
+    const auto end = std::lower_bound(begin, meetings.end(), face + 1, by_face);
     return {begin, end};
 }
 
@@ -169,7 +154,10 @@ int square_root_up(int n) {
 
 /// Casts the rays of a face and returns the share that meets nothing.
 double BaseRays::check_face(std::int32_t face, Findings& findings) const {
-    const FaceRays rays(all_, image_, face, meets_of(image_, face));
+    if (!all_.base.face(face).is_fold_free()) {
+        return 0.0; // that is a violation already
+    }
+    const FaceRays rays(all_, face, meets_of(meetings_, face));
     const int side = square_root_up(options_.rays_per_face);
     int uncovered = 0;
     for (int i = 0; i < side * side; ++i) {

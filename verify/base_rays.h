@@ -2,6 +2,7 @@
 /// From the base mesh back to the scan: does every base point reach the scan, once, from inside?
 #pragma once
 
+#include <foldless/verify/face_checks.h>
 #include <foldless/verify/scan_image.h>
 #include <foldless/verify/stages.h>
 
@@ -14,14 +15,16 @@ struct RayOptions {
     bool covers_all = true; ///< the border is locked or absent, so that every base point belongs to a scan point
 };
 
+/// A sample, where no proof is: with a trimmed border, or with constant face directions.
+///
 /// Casts the rays X + t d(alpha), t in the face's range, from points X spread over every moving base face. A ray meets
 /// the scan face that it hits where the place of the hit point is in the base face; another sheet of the scan that it
 /// passes within the range belongs elsewhere. Every ray must meet the scan, if the base mesh is to be covered, and none
 /// may meet it from behind or at two displacements: `base_ray`.
 class BaseRays {
 public:
-    BaseRays(const Correspondents& all, const ScanImage& image, const RayOptions& options)
-        : all_(all), image_(image), options_(options) {}
+    BaseRays(const Correspondents& all, const Meetings& meetings, const RayOptions& options)
+        : all_(all), meetings_(meetings), options_(options) {}
 
     /// Returns the share of the base mesh's area that meets nothing, by the rays; frozen faces are covered.
     [[nodiscard]] double check(Stages& stages, double share, Findings& findings) const;
@@ -30,7 +33,7 @@ private:
     [[nodiscard]] double check_face(std::int32_t face, Findings& findings) const;
 
     const Correspondents& all_;
-    const ScanImage& image_;
+    const Meetings& meetings_;
     RayOptions options_;
 };
 

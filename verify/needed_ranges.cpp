@@ -1,8 +1,10 @@
 #include <foldless/verify/needed_ranges.h>
 
+#include <foldless/verify/face_checks.h>
 #include <foldless/verify/scan_image.h>
 
 #include <foldless/predicates/jacobian.h>
+#include <foldless/predicates/pillar.h>
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -41,7 +43,9 @@ void set_search_ranges(BaseFaces& faces, double reach) {
         const double longest = std::max({triangle.d[0].norm(), triangle.d[1].norm(), triangle.d[2].norm()});
         const Range fold_free = fold_free_range(triangle);
         const double t = longest > 0 ? reach / longest : 0.0;
-        faces.set_range(f, {std::max(fold_free.lo, -t), std::min(fold_free.hi, t)});
+        // The ends of the fold-free range are rounded: a little less, so that it is one.
+        constexpr double part = 0.999;
+        faces.set_range(f, {std::max(part * fold_free.lo, -t), std::min(part * fold_free.hi, t)});
     }
 }
 
@@ -53,8 +57,9 @@ void locate_nearest(const BaseFaces& faces, const Meshes& meshes, const std::vec
         const std::int32_t vertex = vertices[i];
         const Located located = locate(faces, index, meshes.scan.positions[vertex]);
         for (const Place& place : located.places) {
-            const bool nearer = !places[vertex].exists() ||
-                                std::abs(displacement(faces, place)) < std::abs(displacement(faces, places[vertex]));
+            const Vec3& q = meshes.scan.positions[vertex];
+            const bool nearer = !places[vertex].exists() || std::abs(displacement(faces, place, q)) <
+                                                                std::abs(displacement(faces, places[vertex], q));
             places[vertex] = nearer ? place : places[vertex];
         }
     });
@@ -65,9 +70,9 @@ class Hulls {
 public:
     explicit Hulls(std::size_t faces) : local_(std::vector<Range>(faces, nothing)) {}
 
-    void add(std::int32_t face, double t, double t_error) {
+    void add(std::int32_t face, Range t) {
         Range& range = local_.local()[face];
-        range = {std::min(range.lo, t - t_error), std::max(range.hi, t + t_error)};
+        range = {std::min(range.lo, t.lo), std::max(range.hi, t.hi)};
     }
 
     /// The hull rounded outwards to float32; [0, 0] where nothing was added.
@@ -91,101 +96,71 @@ private:
 };
 
 /// Adds what one scan face needs.
-class FaceNeeds {
-public:
-    FaceNeeds(const Correspondents& all, std::int32_t scan_face, Hulls& hulls)
-        : all_(all), scan_face_(scan_face), hulls_(hulls) {}
-
-    void add() {
-        for (int k = 0; k < 3; ++k) {
-            footholds(all_.base, all_.place(scan_face_, k), corners_[k]);
-            for (const Foothold& foothold : corners_[k]) {
-                need(foothold.face, foothold.t, foothold.t_error);
-            }
-        }
-        for (int k = 0; k < 3 && !all_.base.constant_directions(); ++k) {
-            add_edge(k, (k + 1) % 3);
-        }
-        if (spans_faces_) {
-            add_pillars();
+void add_needs(const Correspondents& all, std::int32_t scan_face, Hulls& hulls) {
+    for (const std::int32_t vertex : all.scan.faces[scan_face]) {
+        const Place& place = all.association.place(vertex);
+        for (const std::int32_t face : faces_of(all.base, place)) {
+            hulls.add(face, place.at.t.bounds());
         }
     }
-
-private:
-    void need(std::int32_t face, double t, double t_error) {
-        hulls_.add(face, t, t_error);
-        if (std::find(met_.begin(), met_.end(), face) == met_.end()) {
-            met_.push_back(face);
+    if (all.base.constant_directions()) {
+        return;
+    }
+    const ScanImage image = image_of(all, scan_face);
+    for (const WallCrossing& crossing : image.crossings) {
+        hulls.add(crossing.face, crossing.t.bounds());
+        hulls.add(crossing.next_face, crossing.t.bounds());
+    }
+    if (!image.inside) {
+        return;
+    }
+    const BaseMesh& mesh = all.base.mesh();
+    for (const std::int32_t vertex : *image.inside) {
+        const Range t =
+            displacement_at_plane({mesh.positions[vertex], mesh.directions[vertex]}, all.triangle(scan_face));
+        for (const std::int32_t face : all.base.adjacency().faces_around(vertex)) {
+            hulls.add(face, t);
         }
     }
+}
 
-    void add_edge(int a, int b) {
-        if (is_base_edge(all_.base, all_.place(scan_face_, a), all_.place(scan_face_, b))) {
-            return;
-        }
-        const ScanTriangle triangle = all_.triangle(scan_face_);
-        const Trace traced = trace(all_.base, {triangle[a], triangle[b]}, corners_[a], corners_[b]);
-        for (const WallCrossing& crossing : traced.crossings) {
-            spans_faces_ = true;
-            need(crossing.face, crossing.t, crossing.t_error);
-            need(crossing.next_face, crossing.t, crossing.t_error);
-        }
-    }
-
-    /// The pillars inside the triangle, found by going on from face to face.
-    void add_pillars() {
-        std::vector<std::int32_t> asked;
-        for (std::size_t i = 0; i < met_.size(); ++i) {
-            for (const std::int32_t vertex : all_.base.face(met_[i]).corners) {
-                if (std::find(asked.begin(), asked.end(), vertex) == asked.end()) {
-                    asked.push_back(vertex);
-                    add_pillar(vertex);
-                }
-            }
-        }
-    }
-
-    void add_pillar(std::int32_t vertex) {
-        const std::optional<ScanPoint> point = pierced_at(
-            all_.base.mesh().positions[vertex], all_.base.mesh().directions[vertex], all_.triangle(scan_face_));
-        if (!point) {
-            return;
-        }
-        const Lifted lifted = lift(all_, scan_face_, spans_faces, *point);
-        if (!lifted.place || corner_of(all_.base.face(lifted.place->face).corners, vertex) < 0) {
-            return; // another sheet
-        }
-        std::vector<Foothold> around;
-        footholds_at(all_.base, vertex, around);
-        for (const Foothold& foothold : around) {
-            need(foothold.face, lifted.place->at.t, lifted.place->at.t_error);
-        }
-    }
-
-    const Correspondents& all_;
-    std::int32_t scan_face_;
-    Hulls& hulls_;
-    std::array<std::vector<Foothold>, 3> corners_;
-    std::vector<std::int32_t> met_;
-    bool spans_faces_ = false;
-};
-
-/// The used vertices, kept ones placed already and the others to be placed.
-std::vector<std::int32_t> place_kept(const BaseFaces& faces, const Meshes& meshes, std::vector<Place>& places) {
-    std::vector<std::int32_t> open;
-    std::vector<bool> used(meshes.scan.positions.size(), false);
+/// The used vertices that are not kept, to be placed.
+std::vector<std::int32_t> open_vertices(const BaseFaces& faces, const Meshes& meshes) {
+    std::vector<std::uint8_t> used(meshes.scan.positions.size(), 0);
     for (std::size_t f = 0; f < meshes.scan.faces.size(); ++f) {
         for (const std::int32_t vertex : meshes.scan.faces[f]) {
-            used[vertex] = used[vertex] || !faces.scan_face_is_frozen(static_cast<std::int32_t>(f));
+            const bool moves = !faces.scan_face_is_frozen(static_cast<std::int32_t>(f));
+            used[vertex] = moves || used[vertex] != 0 ? 1 : 0;
         }
     }
+    std::vector<std::int32_t> open;
     for (std::size_t v = 0; v < used.size(); ++v) {
-        places[v].kept = used[v] ? meshes.kept.base_of[v] : -1;
-        if (used[v] && places[v].kept < 0) {
+        if (used[v] != 0 && meshes.kept.base_of[v] < 0) {
             open.push_back(static_cast<std::int32_t>(v));
         }
     }
     return open;
+}
+
+/// Kept vertices at t = 0, and the others where they were found.
+Association association_of(const BaseFaces& faces, const Meshes& meshes, const std::vector<Place>& places) {
+    Association association(faces, meshes);
+    for (std::size_t b = 0; b < meshes.kept.scan_of.size(); ++b) {
+        const auto vertex = static_cast<std::int32_t>(b);
+        const auto around = meshes.base_adjacency.faces_around(vertex);
+        const auto moving =
+            std::find_if(around.begin(), around.end(), [&](std::int32_t f) { return faces.is_moving(f); });
+        if (faces.is_kept(vertex) && moving != around.end()) {
+            const PrismoidPoint at = on_pillar(faces, *moving, vertex, Displacement());
+            static_cast<void>(association.set(meshes.kept.scan_of[b], {*moving, at, vertex}));
+        }
+    }
+    for (std::size_t v = 0; v < places.size(); ++v) {
+        if (places[v].exists()) {
+            static_cast<void>(association.set(static_cast<std::int32_t>(v), places[v]));
+        }
+    }
+    return association;
 }
 
 } // namespace
@@ -194,26 +169,27 @@ void set_needed_ranges(BaseFaces& faces, const Meshes& meshes, Stages& stages, d
     if (faces.moving().empty()) {
         return;
     }
-    Association association{std::vector<Place>(meshes.scan.positions.size())};
-    std::vector<std::int32_t> open = place_kept(faces, meshes, association.places);
+    std::vector<Place> places(meshes.scan.positions.size());
+    std::vector<std::int32_t> open = open_vertices(faces, meshes);
     const double longest = longest_displacement(meshes);
     double reach = mean_edge_length(faces);
     set_search_ranges(faces, std::min(reach, longest));
     while (!open.empty() && !stages.cancelled()) {
-        locate_nearest(faces, meshes, open, association.places);
-        std::erase_if(open, [&](std::int32_t vertex) { return association.places[vertex].exists(); });
+        locate_nearest(faces, meshes, open, places);
+        std::erase_if(open, [&](std::int32_t vertex) { return places[vertex].exists(); });
         if (open.empty() || reach >= longest) {
             break;
         }
         reach *= growth_of_reach;
         set_search_ranges(faces, std::min(reach, longest));
     }
+    const Association association = association_of(faces, meshes, places);
     const Correspondents all{faces, meshes.scan, association};
     Hulls hulls(meshes.base.faces.size());
     stages.for_each(meshes.scan.faces.size(), share, [&](std::size_t f) {
         const auto face = static_cast<std::int32_t>(f);
         if (!faces.scan_face_is_frozen(face) && all.has_places(face)) {
-            FaceNeeds(all, face, hulls).add();
+            add_needs(all, face, hulls);
         }
     });
     for (const std::int32_t face : faces.moving()) {

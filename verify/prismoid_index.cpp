@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace foldless::verification {
 namespace {
@@ -14,9 +16,6 @@ Box box_of(const MovingFace& face) {
     Box box;
     double size = 0;
     for (int k = 0; k < 3; ++k) {
-        if (!(face.range.lo <= face.range.hi)) {
-            return Box();
-        }
         for (const double t : {face.range.lo, face.range.hi}) {
             box.extend(face.triangle.corner(k, t));
             size = std::max(size, max_norm(face.triangle.v[k]) + std::abs(t) * max_norm(face.triangle.d[k]));
@@ -28,22 +27,27 @@ Box box_of(const MovingFace& face) {
 
 } // namespace
 
-PrismoidIndex::PrismoidIndex(const BaseFaces& base) : base_(base) {
+PrismoidIndex::PrismoidIndex(const BaseFaces& base) {
     std::vector<Box> boxes;
-    for (const std::int32_t face : base.moving()) {
-        boxes.push_back(box_of(base.face(face)));
+    for (const std::int32_t f : base.moving()) {
+        const MovingFace& face = base.face(f);
+        if (face.is_fold_free()) {
+            faces_.push_back(f);
+            finders_.emplace_back(face.triangle, face.range);
+            boxes.push_back(box_of(face));
+        }
     }
     tree_ = BoxTree(std::move(boxes));
 }
 
-void PrismoidIndex::places(const Vec3& q, std::vector<FacePlace>& out) const {
+void PrismoidIndex::points(const Vec3& q, std::vector<FacePoint>& out) const {
     out.clear();
     tree_.visit(Box(q), [&](std::int32_t i) {
-        if (const std::optional<FacePlace> place = place_in(base_, base_.moving()[i], q, 0.0)) {
-            out.push_back(*place);
+        if (const std::optional<PrismoidPoint> at = finders_[i].find(q)) {
+            out.push_back({faces_[i], *at});
         }
     });
-    std::sort(out.begin(), out.end(), [](const FacePlace& a, const FacePlace& b) { return a.face < b.face; });
+    std::sort(out.begin(), out.end(), [](const FacePoint& a, const FacePoint& b) { return a.face < b.face; });
 }
 
 } // namespace foldless::verification

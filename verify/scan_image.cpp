@@ -1,98 +1,194 @@
 #include <foldless/verify/scan_image.h>
 
-#include <foldless/predicates/rounding.h>
-#include <foldless/predicates/wall.h>
+#include <foldless/predicates/pillar.h>
 
 #include <algorithm>
 
 namespace foldless::verification {
 namespace {
 
-/// Whether a line that leaves the kept corner along e certainly does not start in the face: seen along the direction of
-/// the corner it turns outwards past one of the two walls there.
-bool starts_elsewhere(const MovingFace& face, std::int32_t corner, const Vec3& e) {
-    const int k = corner_of(face.corners, corner);
-    return Wall(face.triangle, (k + 2) % 3).passes_at_corner(e, 0) == Sign::positive ||
-           Wall(face.triangle, (k + 1) % 3).passes_at_corner(e, 1) == Sign::positive;
+using Edge = std::pair<std::int32_t, std::int32_t>;
+
+Edge edge_between(std::int32_t a, std::int32_t b) {
+    return {std::min(a, b), std::max(a, b)};
 }
 
-Lifted lift_by_traces(const Correspondents& all, std::int32_t scan_face, const ScanPoint& point) {
-    Lifted result;
-    std::vector<Foothold> starts;
-    // From corners that are not kept first: their face is known. Around a kept vertex several fans between frozen faces
-    // may lie over each other, and the way there tells which one is meant.
-    std::array<int, 3> order{0, 1, 2};
-    std::stable_partition(order.begin(), order.end(), [&](int k) { return all.place(scan_face, k).kept < 0; });
-    for (const int k : order) {
-        footholds(all.base, all.place(scan_face, k), starts);
-        const Line line{all.scan.positions[all.scan.faces[scan_face][k]], point.position, point.error};
-        const std::int32_t kept = all.place(scan_face, k).kept;
-        if (kept >= 0) {
-            std::erase_if(starts, [&](const Foothold& start) {
-                return starts_elsewhere(all.base.face(start.face), kept, line.to - line.from);
-            });
+template <class T>
+bool contains(const std::vector<T>& values, const T& value) {
+    return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+/// Follows the border of one scan triangle.
+class Border {
+public:
+    Border(const Correspondents& all, std::int32_t scan_face, ScanImage& image)
+        : all_(all), corners_(all.scan.faces[scan_face]), image_(image) {}
+
+    void follow() {
+        for (int k = 0; k < 3; ++k) {
+            image_.edge_is_followed[k] = follow_edge(corners_[k], corners_[(k + 1) % 3]);
+            pass_corner(k);
         }
-        const Trace traced = trace(all.base, line, starts, {});
-        if (traced.outcome == Trace::Outcome::followed) {
-            return {traced.end, false};
-        }
-        result.undecided = result.undecided || traced.outcome == Trace::Outcome::undecided;
+        std::sort(image_.met.begin(), image_.met.end());
+        image_.met.erase(std::unique(image_.met.begin(), image_.met.end()), image_.met.end());
     }
-    return result;
-}
 
-Lifted lift_by_faces_of_corners(const Correspondents& all, std::int32_t scan_face, const ScanPoint& point) {
-    std::vector<Foothold> faces;
-    for (int k = 0; k < 3; ++k) {
-        footholds(all.base, all.place(scan_face, k), faces);
-        for (const Foothold& foothold : faces) {
-            if (const auto place = place_in(all.base, foothold.face, point.position, point.error)) {
-                return {place, false};
+    /// The base edges crossed an odd number of times.
+    [[nodiscard]] const std::vector<Edge>& odd() const { return odd_; }
+
+private:
+    bool follow_edge(std::int32_t a, std::int32_t b) {
+        if (all_.association.is_base_edge(a, b)) {
+            return true;
+        }
+        // Both faces of an edge follow it from the same end.
+        const std::optional<std::vector<WallCrossing>> crossings =
+            all_.association.follow(std::min(a, b), std::max(a, b));
+        if (!crossings) {
+            return false;
+        }
+        for (const WallCrossing& crossing : *crossings) {
+            const Triangle& corners = all_.base.face(crossing.face).corners;
+            toggle(corners[(crossing.wall + 1) % 3], corners[(crossing.wall + 2) % 3]);
+            image_.met.push_back(crossing.face);
+            image_.met.push_back(crossing.next_face);
+            image_.crossings.push_back(crossing);
+        }
+        return true;
+    }
+
+    void pass_corner(int k) {
+        const Place& place = all_.association.place(corners_[k]);
+        const PillarStar* const star = all_.association.star(corners_[k]);
+        if (star == nullptr) {
+            image_.met.push_back(place.face);
+            return;
+        }
+        std::vector<std::int32_t> spokes;
+        star->between(corners_[(k + 1) % 3], corners_[(k + 2) % 3], spokes, image_.met);
+        for (const std::int32_t spoke : spokes) {
+            toggle(place.pillar, spoke);
+        }
+    }
+
+    void toggle(std::int32_t a, std::int32_t b) {
+        const Edge edge = edge_between(a, b);
+        const auto found = std::find(odd_.begin(), odd_.end(), edge);
+        if (found == odd_.end()) {
+            odd_.push_back(edge);
+        } else {
+            odd_.erase(found);
+        }
+    }
+
+    const Correspondents& all_;
+    const Triangle& corners_;
+    ScanImage& image_;
+    std::vector<Edge> odd_;
+};
+
+/// Floods the base vertices inside one scan triangle.
+class Inside {
+public:
+    Inside(const Correspondents& all, std::int32_t scan_face, const std::vector<Edge>& odd)
+        : all_(all), base_(all.base), triangle_(all.triangle(scan_face)), odd_(odd) {}
+
+    std::optional<std::vector<std::int32_t>> find() {
+        for (const Edge& edge : odd_) {
+            for (const std::int32_t end : {edge.first, edge.second}) {
+                if (!contains(inside_, end) && is_pierced(end)) {
+                    inside_.push_back(end);
+                }
             }
         }
+        for (std::size_t i = 0; i < inside_.size(); ++i) {
+            if (!spread(inside_[i])) {
+                return std::nullopt;
+            }
+        }
+        // Exactly one end of each odd edge; both or none of every other follows from the spreading.
+        const bool fits = std::all_of(odd_.begin(), odd_.end(), [&](const Edge& edge) {
+            return contains(inside_, edge.first) != contains(inside_, edge.second);
+        });
+        return fits ? std::optional(std::move(inside_)) : std::nullopt;
     }
-    return {};
-}
+
+private:
+    [[nodiscard]] DisplacedVertex displaced(std::int32_t vertex) const {
+        return {base_.mesh().positions[vertex], base_.mesh().directions[vertex]};
+    }
+
+    [[nodiscard]] bool is_pierced(std::int32_t vertex) const {
+        return !base_.is_kept(vertex) && pierces(displaced(vertex), triangle_) == Sign::positive;
+    }
+
+    /// From a vertex inside over all its edges; false if it may not be inside, or one that must be inside is not
+    /// pierced.
+    bool spread(std::int32_t vertex) {
+        const auto around = base_.adjacency().faces_around(vertex);
+        for (const std::int32_t face : around) {
+            if (!base_.is_moving(face) || !base_.face(face).is_fold_free() ||
+                !meets_plane_within(displaced(vertex), triangle_, base_.face(face).range)) {
+                return false;
+            }
+            const MovingFace& moving = base_.face(face);
+            const int k = corner_of(moving.corners, vertex);
+            if (moving.across[(k + 1) % 3] < 0 || moving.across[(k + 2) % 3] < 0) {
+                return false; // on the border
+            }
+            const std::int32_t next = moving.corners[(k + 1) % 3]; // every edge is the first of one face
+            if (contains(odd_, edge_between(vertex, next)) || contains(inside_, next)) {
+                continue;
+            }
+            if (!is_pierced(next)) {
+                return false;
+            }
+            inside_.push_back(next);
+        }
+        return true;
+    }
+
+    const Correspondents& all_;
+    const BaseFaces& base_;
+    ScanTriangle triangle_;
+    const std::vector<Edge>& odd_;
+    std::vector<std::int32_t> inside_;
+};
 
 } // namespace
-
-ScanPoint point_of(const ScanTriangle& q, double u, double v) {
-    // Two differences, two products and two sums: at most five roundings of a coordinate's size.
-    const double size = std::max({max_norm(q[0]), max_norm(q[1]), max_norm(q[2])});
-    return {q[0] + u * (q[1] - q[0]) + v * (q[2] - q[0]), 8 * unit_roundoff * size};
-}
-
-std::optional<ScanPoint> pierced_at(const Vec3& v, const Vec3& d, const ScanTriangle& q) {
-    std::array<double, 3> weight; // of the corner opposite each edge: twice the area of its projection along d
-    for (int k = 0; k < 3; ++k) {
-        weight[k] = d.dot((q[(k + 1) % 3] - v).cross(q[(k + 2) % 3] - v));
-        if (!(weight[k] >= 0)) {
-            return std::nullopt;
-        }
-    }
-    const double sum = weight[0] + weight[1] + weight[2];
-    return sum > 0 ? std::optional(point_of(q, weight[1] / sum, weight[2] / sum)) : std::nullopt;
-}
 
 ScanTriangle Correspondents::triangle(std::int32_t scan_face) const {
     const Triangle& face = scan.faces[scan_face];
     return {scan.positions[face[0]], scan.positions[face[1]], scan.positions[face[2]]};
 }
 
-Lifted lift(const Correspondents& all, std::int32_t scan_face, std::int32_t home, const ScanPoint& point) {
-    if (home >= 0) {
-        return {place_in(all.base, home, point.position, point.error), false};
-    }
-    if (home == no_image) {
-        return {};
-    }
-    return all.base.constant_directions() ? lift_by_faces_of_corners(all, scan_face, point)
-                                          : lift_by_traces(all, scan_face, point);
+bool Correspondents::has_places(std::int32_t scan_face) const {
+    const Triangle& face = scan.faces[scan_face];
+    return association.has_place(face[0]) && association.has_place(face[1]) && association.has_place(face[2]);
 }
 
-bool is_base_edge(const BaseFaces& base, const Place& a, const Place& b) {
-    return a.kept >= 0 && b.kept >= 0 &&
-           (base.adjacency().face_with(a.kept, b.kept) >= 0 || base.adjacency().face_with(b.kept, a.kept) >= 0);
+ScanImage image_of(const Correspondents& all, std::int32_t scan_face) {
+    ScanImage image;
+    Border border(all, scan_face, image);
+    border.follow();
+    const auto& followed = image.edge_is_followed;
+    if (!followed[0] || !followed[1] || !followed[2]) {
+        return image;
+    }
+    if (border.odd().empty()) {
+        image.inside.emplace();
+        return image;
+    }
+    image.inside = Inside(all, scan_face, border.odd()).find();
+    if (image.inside) {
+        for (const std::int32_t vertex : *image.inside) {
+            const auto around = all.base.adjacency().faces_around(vertex);
+            image.met.insert(image.met.end(), around.begin(), around.end());
+        }
+        std::sort(image.met.begin(), image.met.end());
+        image.met.erase(std::unique(image.met.begin(), image.met.end()), image.met.end());
+    }
+    return image;
 }
 
 } // namespace foldless::verification

@@ -1,9 +1,10 @@
 /// \file
-/// The image of scan triangles on the base mesh: which faces they meet, and where a point of them lies.
+/// The image of a scan triangle on the base mesh: which walls its border crosses, and which base vertices are inside.
 #pragma once
 
 #include <foldless/verify/association.h>
-#include <foldless/verify/edge_trace.h>
+
+#include <foldless/predicates/vector.h>
 
 #include <cstdint>
 #include <optional>
@@ -12,27 +13,6 @@
 
 namespace foldless::verification {
 
-/// Values of ScanImage::home that are no base face.
-inline constexpr std::int32_t spans_faces = -1; ///< the image meets several base faces
-inline constexpr std::int32_t no_image = -2;    ///< frozen, or a corner has no place
-
-/// What is known of the image of every scan face.
-struct ScanImage {
-    std::vector<std::int32_t> home; ///< the one base face in which the image lies, or one of the values above
-    /// (base face, scan face) for every base face that the image of a scan face may meet, ascending.
-    std::vector<std::pair<std::int32_t, std::int32_t>> meets;
-};
-
-/// A point inside a scan triangle: (1 - u - v) q0 + u q1 + v q2, and a bound on the rounding of each coordinate.
-struct ScanPoint {
-    Vec3 position;
-    double error;
-};
-[[nodiscard]] ScanPoint point_of(const ScanTriangle& triangle, double u, double v);
-
-/// Where the line through v along d leaves the triangle through its front, border included; in plain doubles.
-[[nodiscard]] std::optional<ScanPoint> pierced_at(const Vec3& v, const Vec3& d, const ScanTriangle& triangle);
-
 /// What every check of the scan reads.
 struct Correspondents {
     const BaseFaces& base;
@@ -40,23 +20,21 @@ struct Correspondents {
     const Association& association;
 
     [[nodiscard]] ScanTriangle triangle(std::int32_t scan_face) const;
-    [[nodiscard]] bool has_places(std::int32_t scan_face) const {
-        return place(scan_face, 0).exists() && place(scan_face, 1).exists() && place(scan_face, 2).exists();
-    }
-    [[nodiscard]] const Place& place(std::int32_t scan_face, int corner) const {
-        return association.places[scan.faces[scan_face][corner]];
-    }
+    [[nodiscard]] bool has_places(std::int32_t scan_face) const;
 };
 
-/// The place of a point of a scan triangle whose corners have places: in the triangle's one base face, or else where
-/// the straight line from a corner leads; with constant face directions in a face of a corner.
-struct Lifted {
-    std::optional<FacePlace> place;
-    bool undecided = false; ///< there is none because rounding hides it
+/// The image of one scan triangle whose corners have places.
+struct ScanImage {
+    std::array<bool, 3> edge_is_followed{};          ///< E for the edge from corner k to the next
+    std::vector<WallCrossing> crossings;             ///< of all edges that could be followed
+    std::optional<std::vector<std::int32_t>> inside; ///< base vertices inside it; nothing if P fails or an edge is lost
+    std::vector<std::int32_t> met;                   ///< moving base faces that it meets, each once
 };
-[[nodiscard]] Lifted lift(const Correspondents& all, std::int32_t scan_face, std::int32_t home, const ScanPoint& point);
 
-/// Whether both ends of a scan edge are kept and it is an edge of the base mesh: such an edge represents itself.
-[[nodiscard]] bool is_base_edge(const BaseFaces& base, const Place& a, const Place& b);
+/// Follows the three edges, and finds the base vertices inside by condition P: those that the parities of the crossings
+/// ask for, each of them pierced within the ranges of all faces around it, none kept, frozen or on the border. A base
+/// edge strictly between two scan edges that leave a vertex on a pillar counts as crossed once. Exact.
+/// (docs/certificate.md, E and P)
+[[nodiscard]] ScanImage image_of(const Correspondents& all, std::int32_t scan_face);
 
 } // namespace foldless::verification

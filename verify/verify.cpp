@@ -3,9 +3,9 @@
 #include <foldless/verify/base_checks.h>
 #include <foldless/verify/base_rays.h>
 #include <foldless/verify/face_checks.h>
+#include <foldless/verify/interior_samples.h>
 #include <foldless/verify/needed_ranges.h>
 #include <foldless/verify/requirements.h>
-#include <foldless/verify/scan_windings.h>
 #include <foldless/verify/topology_checks.h>
 
 #include <tbb/global_control.h>
@@ -37,11 +37,12 @@ void summarise_displacements(const Correspondents& all, const Adjacency& scan_ad
     std::size_t count = 0;
     for (std::size_t v = 0; v < all.scan.positions.size(); ++v) {
         const bool is_used = !scan_adjacency.faces_around(static_cast<std::int32_t>(v)).empty();
-        const Place& place = all.association.places[v];
+        const Place& place = all.association.place(static_cast<std::int32_t>(v));
         if (!is_used) {
             continue;
         }
-        const double length = place.exists() ? displacement(all.base, place) : 0.0; // 0 on a frozen face
+        const double length =
+            place.exists() ? displacement(all.base, place, all.scan.positions[v]) : 0.0; // 0 on a frozen face
         result.min_displacement = count == 0 ? length : std::min(result.min_displacement, length);
         result.max_displacement = count == 0 ? length : std::max(result.max_displacement, length);
         sum_of_squares += length * length;
@@ -78,14 +79,26 @@ VerifyResult verify(const BaseMesh& base, const Scan& scan, const VerifyOptions&
 
     const Association association = Associator(faces, meshes).associate(stages, share_of_places, findings);
     const Correspondents all{faces, scan, association};
-    check_scan_windings(all, scan_adjacency, stages, findings);
-    const ScanImage image =
-        FaceChecks(all, scan_adjacency, options.samples_per_face, findings).check(stages, share_of_faces);
-    const BaseRays rays(all, image, {options.rays_per_face, locked});
-    const double uncovered = rays.check(stages, share_of_rays, findings);
+    Degree degree(faces, meshes);
+    const bool is_proof = locked && !faces.constant_directions();
+    const Meetings meetings = FaceChecks(all, scan_adjacency, degree, findings)
+                                  .check(stages, is_proof ? share_of_faces + share_of_rays : share_of_faces);
+    double uncovered = 0.0;
+    if (!faces.constant_directions()) {
+        degree.check(association, findings);
+    } else {
+        check_interior_samples(all, options.samples_per_face, stages, findings);
+    }
+    if (is_proof) {
+        result.level = Level::surface;
+    } else {
+        const BaseRays rays(all, meetings, {options.rays_per_face, locked});
+        uncovered = rays.check(stages, share_of_rays, findings);
+    }
 
     result.uncovered_fraction = locked ? 0.0 : uncovered;
     result.cancelled = stages.cancelled();
+    result.signs = stages.signs();
     findings.write(result);
     result.ambiguous_vertices = association.ambiguous_vertices;
     summarise_displacements(all, scan_adjacency, result);

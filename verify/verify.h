@@ -4,6 +4,7 @@
 
 #include <foldless/io/base_mesh.h>
 #include <foldless/io/scan.h>
+#include <foldless/predicates/sign_counts.h>
 
 #include <array>
 #include <cstddef>
@@ -22,15 +23,25 @@ enum class Violation {
     jacobian,          ///< J is not positive on a prismoid over the range of its face
     no_preimage,       ///< a scan vertex has no place on the base mesh
     several_preimages, ///< a scan vertex has two places on neighbouring faces
-    normal_condition,  ///< N.n > 0 fails at a scan vertex
-    orientation,       ///< the image of a scan triangle is turned over
+    normal_condition,  ///< N.n > 0 fails at a scan vertex, or where a scan edge crosses a wall
+    orientation,       ///< the scan does not go round once at a kept vertex, in the order of the base faces
     trace,             ///< an edge of the scan cannot be followed across the base mesh
     interior_sample,   ///< a point inside a scan triangle has no place, or N.n <= 0 there
     base_ray,          ///< the ray from a base point does not meet the scan front-facing within the range
-    undecided,         ///< rounding hides the answer
+    pillar,            ///< the base vertices inside a scan triangle do not fit the walls that its border crosses
+    degree,            ///< a component of the base mesh is covered twice, or not at all
 };
 
-inline constexpr std::size_t violation_count = static_cast<std::size_t>(Violation::undecided) + 1;
+inline constexpr std::size_t violation_count = static_cast<std::size_t>(Violation::degree) + 1;
+
+/// What a verification without violations proves. (docs/certificate.md)
+enum class Level {
+    vertices, ///< the places of the scan vertices, and samples between them
+    surface,  ///< the whole continuous surface, in exact arithmetic
+};
+
+/// The word of the report.
+[[nodiscard]] std::string_view name(Level level);
 
 /// The stable snake_case word of the report.
 [[nodiscard]] std::string_view name(Violation violation);
@@ -53,6 +64,8 @@ struct VerifyOptions {
 
 struct VerifyResult {
     bool cancelled = false;
+    Level level = Level::vertices; ///< of what was asked: surface with vertex directions and a locked border or none
+    SignCounts signs;              ///< how they were decided
     std::array<std::size_t, violation_count> violations{}; ///< counts, indexed by Violation
     std::vector<LocatedViolation> located;                 ///< the first ones of each kind, a few, in a fixed order
     std::size_t ambiguous_vertices = 0; ///< scan vertices that non-adjacent faces reach too within their ranges
@@ -67,8 +80,9 @@ struct VerifyResult {
     [[nodiscard]] bool certified() const { return !cancelled && violation_total() == 0; }
 };
 
-/// Re-derives everything from nothing: topology, the place of every scan vertex, every scan triangle and edge, interior
-/// samples, and rays from the base mesh back to the scan. The level it certifies is "vertices".
+/// Re-derives everything from nothing: topology, the place of every scan vertex, the lift of every scan edge, what is
+/// inside every scan triangle, and how often the base mesh is covered; all of it exactly (theorems B and C of
+/// docs/certificate.md). With a trimmed border, or with constant face directions, samples stand for what is not proven.
 ///
 /// \throws RefusedMesh if either mesh has a defect (see io/defects.h) or the base mesh has no directions.
 /// Expected time O((F + f) log f) for F scan and f base faces.

@@ -17,7 +17,16 @@ std::string_view name(Violation violation) {
     case Violation::trace: return "trace";
     case Violation::interior_sample: return "interior_sample";
     case Violation::base_ray: return "base_ray";
-    case Violation::undecided: return "undecided";
+    case Violation::pillar: return "pillar";
+    case Violation::degree: return "degree";
+    }
+    return "unknown";
+}
+
+std::string_view name(Level level) {
+    switch (level) {
+    case Level::vertices: return "vertices";
+    case Level::surface: return "surface";
     }
     return "unknown";
 }

@@ -64,6 +64,7 @@ TEST(PaperOptions, AreThoseOfTheirPreset) {
     EXPECT_FALSE(options.store_directions);
     EXPECT_EQ(options.placement, Placement::midpoint);
     EXPECT_TRUE(options.unique_among_fold_free);
+    EXPECT_TRUE(options.orientation_test);
     EXPECT_EQ(options.edge_valence_limit, 12);
     const Scan scan = test::bumpy_sphere(3);
     const DecimateResult result = decimate(scan, options);

@@ -56,9 +56,13 @@ TEST(FanOrder, PutsTheEdgeOnTheOtherSideOfTheDiagonal) {
     EXPECT_EQ(order.start_cell(4), 0);
 }
 
-TEST(FanOrder, RefusesAnEdgeOnABaseEdgeThatItIsNot) {
-    EXPECT_EQ(sort_flattened({0.5, 0.5, 0.3}, 0).verdict, Verdict::tie);
-    EXPECT_EQ(sort_flattened({0.5, 0.5 + 0x1p-52, 0.3}, 0).verdict, Verdict::accepted);
+TEST(FanOrder, PutsAnEdgeOnABaseEdgeThatItIsNotIntoTheLowerFace) {
+    const auto [surface, verdict, order] = sort_flattened({0.5, 0.5, 0.3}, 0);
+    ASSERT_EQ(verdict, Verdict::accepted);
+    EXPECT_EQ(order.start_cell(4), 0);
+    const auto beside = sort_flattened({0.5, 0.5 + 0x1p-52, 0.3}, 0);
+    ASSERT_EQ(beside.verdict, Verdict::accepted);
+    EXPECT_EQ(beside.order.start_cell(4), 1);
 }
 
 TEST(FanOrder, RefusesAnEdgeOutsideTheFan) {

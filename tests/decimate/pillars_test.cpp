@@ -54,18 +54,14 @@ protected:
     World world_{pyramid({0.5, 0.5, 0})};
     Patch patch_;
     PatchedSurface surface_{world_.base()};
-    std::vector<Pillar> inside_;
+    std::vector<std::int32_t> inside_;
 };
 
 const ScanTriangle around_the_middle{Vec3(0.3, 0.3, 0.25), Vec3(0.75, 0.4, 0.25), Vec3(0.45, 0.75, 0.25)};
 
 TEST_F(FlatFan, FindsTheVertexInsideAScanTriangle) {
     ASSERT_EQ(flood(around_the_middle, spokes_), Verdict::accepted);
-    ASSERT_EQ(inside_.size(), 1);
-    EXPECT_EQ(inside_[0].vertex, 4);
-    EXPECT_NEAR(inside_[0].t, 0.25, 1e-15);
-    EXPECT_LT(inside_[0].t_error, 1e-12);
-    EXPECT_GE(inside_[0].t_error, std::abs(inside_[0].t - 0.25));
+    EXPECT_EQ(inside_, std::vector<std::int32_t>{4});
 }
 
 TEST_F(FlatFan, FindsNothingWithoutOddEdges) {
@@ -95,7 +91,7 @@ TEST_F(FlatFan, RefusesATriangleSeenFromBehind) {
     EXPECT_EQ(flood({q[0], q[2], q[1]}, spokes_), Verdict::normal_condition);
 }
 
-TEST_F(FlatFan, IsUndecidedAboutAPillarThroughAnEdge) {
+TEST_F(FlatFan, RefusesAPillarThroughAnEdgeAsATie) {
     const ScanTriangle through{Vec3(0.25, 0.5, 0.25), Vec3(0.75, 0.5, 0.25), Vec3(0.5, 0.75, 0.25)};
     EXPECT_EQ(flood(through, spokes_), Verdict::tie);
     ScanTriangle beside = through;
@@ -130,10 +126,10 @@ TEST(PillarFlood, FloodsThroughEdgesThatAreNotOdd) {
         }
     }
     ASSERT_EQ(odd.size(), 10);
-    std::vector<Pillar> inside;
+    std::vector<std::int32_t> inside;
     EXPECT_EQ(PillarFlood().find(surface, triangle, odd, inside), Verdict::accepted);
     ASSERT_EQ(inside.size(), 2);
-    EXPECT_EQ(inside[0].vertex + inside[1].vertex, 23);
+    EXPECT_EQ(inside[0] + inside[1], 23);
     odd.toggle(11, 12);
     EXPECT_EQ(PillarFlood().find(surface, triangle, odd, inside), Verdict::normal_condition);
 }

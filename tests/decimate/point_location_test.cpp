@@ -43,7 +43,7 @@ protected:
 TEST_F(OnASquare, APointLiesInOneFace) {
     ASSERT_EQ(locate({0.75, 0.25, 0.5}), Verdict::accepted);
     EXPECT_EQ(lift_.cell, 0);
-    EXPECT_EQ(lift_.wall, -1);
+    EXPECT_EQ(lift_.walls, 0U);
     EXPECT_NEAR(lift_.at.t, 0.5, 1e-15);
     EXPECT_NEAR((lift_.at.alpha - Vec3(0.25, 0.5, 0.25)).norm(), 0, 1e-15);
     ASSERT_EQ(locate({0.25, 0.75, -0.5}), Verdict::accepted);
@@ -56,21 +56,21 @@ TEST_F(OnASquare, APointOnTheWallBetweenFacesBelongsToTheFirst) {
         ASSERT_EQ(locate({0.375, 0.375, 0.5}), Verdict::accepted);
         EXPECT_EQ(lift_.cell, 0);
         EXPECT_EQ(surface_.cell(0).corners, corners);
-        EXPECT_EQ(surface_.cell(0).corners[lift_.wall], corners[1]);
+        EXPECT_EQ(lift_.walls, wall_bit(surface_.corner_of(0, corners[1])));
         EXPECT_TRUE(location_.alternatives().empty()); // the other face has the same place, no second one
         std::swap(patch_.added[0], patch_.added[1]);
         patch_.added[0].corners = {2, 3, 0};
     }
 }
 
-TEST_F(OnASquare, APointOnTheWallOfTheBorderIsUndecided) {
-    EXPECT_EQ(locate({0.5, 0, 0.5}), Verdict::undecided);
+TEST_F(OnASquare, APointOnTheWallOfTheBorderIsATie) {
+    EXPECT_EQ(locate({0.5, 0, 0.5}), Verdict::tie);
     EXPECT_EQ(locate({0.5, 0x1p-30, 0.5}), Verdict::accepted);
     EXPECT_EQ(locate({0.5, -0x1p-30, 0.5}), Verdict::no_preimage);
 }
 
-TEST_F(OnASquare, APointOnAPillarIsUndecided) {
-    EXPECT_EQ(locate({1, 1, 0.5}), Verdict::undecided);
+TEST_F(OnASquare, APointOnAPillarIsATie) {
+    EXPECT_EQ(locate({1, 1, 0.5}), Verdict::tie);
 }
 
 TEST_F(OnASquare, APointBesideTheSquareHasNoPlace) {

@@ -103,14 +103,14 @@ TEST(Validator, RefusesAVertexBeyondTheFold) {
     }
 }
 
-TEST(Validator, RefusesATopAboveTheBorderAsUndecided) {
-    EXPECT_EQ(judge_top({0.5, 0, 0.3}), Verdict::undecided);
+TEST(Validator, RefusesATopAboveTheBorderAsATie) {
+    EXPECT_EQ(judge_top({0.5, 0, 0.3}), Verdict::tie);
     EXPECT_EQ(judge_top({0.5, 0x1p-10, 0.3}), Verdict::accepted);
 }
 
 // The scan edges 0-4 and 2-4 lie in the wall over the diagonal, though they are no base edges.
-TEST(Validator, RefusesScanEdgesAlongAWallAsATie) {
-    EXPECT_EQ(judge_top({0.5, 0.5, 0.3}), Verdict::tie);
+TEST(Validator, AcceptsScanEdgesAlongAWall) {
+    EXPECT_EQ(judge_top({0.5, 0.5, 0.3}), Verdict::accepted);
     EXPECT_EQ(judge_top({0.5, 0.5 + 0x1p-20, 0.3}), Verdict::accepted);
 }
 

@@ -152,6 +152,21 @@ TEST(JacobianOn, IsRightAtEveryMagnitude) {
     }
 }
 
+// Some products overflow, and others, of the opposite sign, do not.
+TEST(JacobianOn, IsRightWhereProductsOverflow) {
+    RandomTriangles random(5);
+    for (int round = 0; round < 5000; ++round) {
+        BaseTriangle triangle = random.wild();
+        for (int i = 0; i < 3; ++i) {
+            triangle.v[i] *= 0x1p341;
+            triangle.d[i] *= 0x1p342;
+        }
+        const Range range{0, round % 2 == 0 ? 0 : 0.125};
+        ASSERT_EQ(jacobian_on(triangle, range), positive_on(triangle, range) ? Sign::positive : Sign::negative)
+            << "round " << round;
+    }
+}
+
 TEST(FoldFreeRange, EndsWhereTheCornersMeet) {
     const Range range = fold_free_range(pyramid());
     EXPECT_NEAR(range.hi, 1, 1e-7); // a double root

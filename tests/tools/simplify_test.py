@@ -255,6 +255,7 @@ class Report(ProgramTest):
             "certificate": {
                 "level": text,
                 "violations": count,
+                "signs": {"filtered": count, "exact": count},
                 "ambiguous_vertices": count,
                 "uncovered_fraction": number,
                 "ranges_computed": bool,

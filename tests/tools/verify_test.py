@@ -36,7 +36,7 @@ class Verify(ProgramTest):
     def test_certifies_in_one_line_that_names_the_level(self):
         run = self.expect(0, "verify", "base.ply", "scan.ply")
         self.assertEqual(run.stdout, "")
-        self.assertRegex(run.stderr, r"\Afoldless: base.ply represents scan.ply: certified, level vertices[^\n]*\n\Z")
+        self.assertRegex(run.stderr, r"\Afoldless: base.ply represents scan.ply: certified, level surface[^\n]*\n\Z")
 
     def test_quiet_is_silent_when_certified(self):
         run = self.expect(0, "verify", "base.ply", "scan.ply", "--quiet")
@@ -61,7 +61,7 @@ class Verify(ProgramTest):
         self.assertEqual(report["input"]["path"], "scan.ply")
         self.assertEqual(report["output"]["path"], "base.ply")
         self.assertLessEqual(report["output"]["faces"], 200)
-        self.assertEqual(report["certificate"]["level"], "vertices")
+        self.assertEqual(report["certificate"]["level"], "surface")
         self.assertEqual(report["certificate"]["violations"], 0)
         self.assertEqual(set(report["certificate"]["violations_by_name"]), VIOLATIONS)
         self.assertEqual(set(report["seconds"]), {"read", "verify"})

@@ -46,13 +46,13 @@ TEST(Verify, FindsAScanThatHangsOverATrimmedBaseMesh) {
     EXPECT_THAT(verify(square_without_kept_vertices({-1, 1}), grid(8, 0.25, 1.25, 0.5)), Has(Violation::no_preimage));
 }
 
-TEST(Verify, CannotDecideOnPointsOfAFreeBorder) {
-    EXPECT_THAT(verify(square_without_kept_vertices({-1, 1}), grid(8, 0, 1, 0.5)), HasOnly(Violation::undecided));
+TEST(Verify, RefusesScanPointsOnAFreeBorder) {
+    EXPECT_THAT(verify(square_without_kept_vertices({-1, 1}), grid(8, 0, 1, 0.5)), Has(Violation::border));
 }
 
 TEST(Verify, FindsAnInnerVertexBeyondTheBorder) {
     EXPECT_THAT(verify(square(), pyramid({0.4, 1.5, 0.3})),
-                AllOf(Has(Violation::no_preimage), Has(Violation::base_ray)));
+                AllOf(Has(Violation::no_preimage), Has(Violation::orientation)));
 }
 
 TEST(Verify, FindsKeptVerticesThatAreNot) {
