@@ -61,6 +61,17 @@ std::optional<std::array<Range, 2>> filtered_roots(const Quadratic<Interval>& c)
     return roots[0].hi < roots[1].lo ? std::optional(roots) : std::nullopt;
 }
 
+/// Bounds of the root of a quadratic that is linear, as that of a wall with parallel directions is.
+std::optional<Range> filtered_linear_root(const Quadratic<Interval>& c) {
+    if (sign_of(c[2]) != Sign::zero || sign_of(c[1]) == Sign::undecided || sign_of(c[1]) == Sign::zero) {
+        return std::nullopt;
+    }
+    const Interval root = -c[0] / c[1];
+    const double margin = 4 * (root.sup() - root.inf()) + 8 * unit_roundoff * std::abs(root.sup());
+    const Range bounds{root.inf() - margin, root.sup() + margin};
+    return have_opposite_signs(c, bounds) ? std::optional(bounds) : std::nullopt;
+}
+
 /// Every number a root of which could be is within the bounds: |root| <= 1 + max |c_i / c_n|, to a power of two.
 Exact root_bound(const ExactPolynomial& f) {
     const Exact& lead = f.coefficients().back();
@@ -178,10 +189,11 @@ void Follower::set_sides() {
         const double c1 = ex[i].dot(triangle_.d[j]) + ed[i].dot(x[j]);
         const double c2 = ed[i].dot(triangle_.d[j]);
         sides_[k] = {around(c0, unit * x_size * x_size), around(c1, 2 * unit * x_size * d_size),
-                     around(c2, unit * d_size * d_size)};
+                     // Equal directions make the wall flat, and the quadratic linear.
+                     triangle_.d[i] == triangle_.d[j] ? Interval(0) : around(c2, unit * d_size * d_size)};
         sum[0] += c0;
         sum[1] += c1;
-        sum[2] += c2;
+        sum[2] += triangle_.d[i] == triangle_.d[j] ? 0 : c2;
     }
     // w = N.e is the sum of the three: three times the error, and the rounding of two sums of three such terms.
     rise_ = {around(sum[0], 4 * unit * x_size * x_size), around(sum[1], 8 * unit * x_size * d_size),
@@ -308,12 +320,18 @@ std::optional<Displacement> Follower::exit_ahead(int k) const {
     const auto is_ahead = [&](const Displacement& t) { return direction_ * as_int(compare(t, from_.t)) > 0; };
     if (filters_enabled()) {
         std::optional<std::array<Range, 2>> roots;
+        std::optional<Range> only;
         bool none = false;
         {
             const UpwardRounding upward;
             const Quadratic<Interval>& c = sides_[k];
             none = (c[1] * c[1] - 4 * c[0] * c[2]).sup() < 0;
-            roots = none ? std::nullopt : filtered_roots(c);
+            only = filtered_linear_root(c);
+            roots = none || only ? std::nullopt : filtered_roots(c);
+        }
+        if (only) {
+            const Displacement t = Displacement::at_wall(triangle_, k, line_, *only);
+            return is_ahead(t) ? std::optional(t) : std::nullopt;
         }
         if (none) {
             count_filtered();

@@ -98,27 +98,31 @@ Association Associator::associate(Stages& stages, double share, Findings& findin
     std::vector<Answer> answers(vertices);
     stages.for_each(vertices, share, [&](std::size_t v) { answers[v] = locate_vertex(static_cast<std::int32_t>(v)); });
     Association association(base_, meshes_);
-    const auto report = [&](std::int32_t vertex, Violation violation) {
-        findings.add({.violation = violation, .scan_vertex = vertex, .position = scan_.positions[vertex]});
+    const auto report = [&](std::int32_t vertex, Violation violation, const Place& place) {
+        findings.add({.violation = violation,
+                      .scan_vertex = vertex,
+                      .base_face = place.face,
+                      .position = scan_.positions[vertex]});
     };
     std::vector<std::int32_t> several;
     for (std::size_t v = 0; v < vertices; ++v) {
         const auto vertex = static_cast<std::int32_t>(v);
         const Answer& answer = answers[v];
         if (answer.violation) {
-            report(vertex, *answer.violation);
+            report(vertex, *answer.violation, answer.place);
         } else if (answer.several) {
             several.push_back(vertex);
         } else if (answer.place.exists() && !association.set(vertex, answer.place)) {
-            report(vertex, Violation::orientation);
+            report(vertex, Violation::orientation, answer.place);
         }
     }
     resolve(several, association);
     for (const std::int32_t vertex : several) {
-        if (!association.has_place(vertex)) {
-            report(vertex, Violation::orientation);
-        } else if (has_another_nearby(vertex, association.place(vertex))) {
-            report(vertex, Violation::several_preimages);
+        const Place& place = association.place(vertex);
+        if (!place.exists()) {
+            report(vertex, Violation::orientation, place);
+        } else if (has_another_nearby(vertex, place)) {
+            report(vertex, Violation::several_preimages, place);
         } else {
             ++association.ambiguous_vertices;
         }

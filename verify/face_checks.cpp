@@ -65,8 +65,8 @@ void FaceChecks::check_face(std::int32_t face) {
     }
 }
 
-void FaceChecks::add(std::int32_t face, Violation violation, const Vec3& position) {
-    findings_.add({.violation = violation, .scan_face = face, .position = position});
+void FaceChecks::add(std::int32_t face, Violation violation, std::int32_t base_face, const Vec3& position) {
+    findings_.add({.violation = violation, .scan_face = face, .base_face = base_face, .position = position});
 }
 
 void FaceChecks::check_corners(std::int32_t face) {
@@ -79,7 +79,7 @@ void FaceChecks::check_corners(std::int32_t face) {
                               ? seen_along(all_.base.mesh().directions[place.pillar], triangle)
                               : normal_condition_at(all_.base.face(place.face).triangle, q, place.at.t, triangle);
         if (sign != Sign::positive) {
-            add(face, Violation::normal_condition, q);
+            add(face, Violation::normal_condition, place.face, q);
         }
     }
 }
@@ -89,19 +89,19 @@ void FaceChecks::check_image(std::int32_t face) {
     const ScanImage image = image_of(all_, face);
     for (int k = 0; k < 3; ++k) {
         if (!image.edge_is_followed[k] && owns_edge(face, k)) {
-            add(face, Violation::trace, triangle[k]);
+            add(face, Violation::trace, face_at(face, k), triangle[k]);
         }
     }
     for (const WallCrossing& crossing : image.crossings) {
         const Sign sign =
             normal_condition_at_wall(all_.base.face(crossing.face).triangle, crossing.wall, crossing.t, triangle);
         if (sign != Sign::positive) {
-            add(face, Violation::normal_condition, position_of(all_.base, crossing));
+            add(face, Violation::normal_condition, crossing.face, position_of(all_.base, crossing));
         }
     }
     const auto& followed = image.edge_is_followed;
     if (followed[0] && followed[1] && followed[2] && !image.inside) {
-        add(face, Violation::pillar, triangle[0]);
+        add(face, Violation::pillar, face_at(face, 0), triangle[0]);
     }
     if (image.inside) {
         degree_.count(*image.inside);
@@ -123,7 +123,7 @@ void FaceChecks::check_prisms(std::int32_t face) {
     }
     for (int k = 0; k < 3; ++k) {
         if (!intersect(faces[k], faces[(k + 1) % 3]) && owns_edge(face, k)) {
-            add(face, Violation::trace, all_.triangle(face)[k]);
+            add(face, Violation::trace, face_at(face, k), all_.triangle(face)[k]);
         }
     }
     std::sort(met.begin(), met.end());
@@ -131,6 +131,11 @@ void FaceChecks::check_prisms(std::int32_t face) {
     for (const std::int32_t base_face : met) {
         meetings_.local().emplace_back(base_face, face);
     }
+}
+
+/// The base face in which corner k of a scan face lies.
+std::int32_t FaceChecks::face_at(std::int32_t face, int k) const {
+    return all_.association.place(all_.scan.faces[face][k]).face;
 }
 
 /// An edge between two moving faces is counted for the lower one.

@@ -35,7 +35,8 @@ private:
     void check_corners(std::int32_t face);
     void check_image(std::int32_t face);
     void check_prisms(std::int32_t face);
-    void add(std::int32_t face, Violation violation, const Vec3& position);
+    void add(std::int32_t face, Violation violation, std::int32_t base_face, const Vec3& position);
+    [[nodiscard]] std::int32_t face_at(std::int32_t face, int k) const;
     [[nodiscard]] bool owns_edge(std::int32_t face, int k) const;
 
     const Correspondents& all_;

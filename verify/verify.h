@@ -46,7 +46,8 @@ enum class Level {
 /// The stable snake_case word of the report.
 [[nodiscard]] std::string_view name(Violation violation);
 
-/// A violation and where it is. An index that does not apply is -1.
+/// A violation and where it is. An index that does not apply is -1. Of what is found on the scan, the base face is that
+/// of the place of the vertex, or the one that is left where an edge crosses a wall.
 struct LocatedViolation {
     Violation violation;
     std::int32_t scan_vertex = -1;
