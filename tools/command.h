@@ -38,6 +38,7 @@ struct VerifyCommand {
     std::filesystem::path base;
     std::filesystem::path scan;
     std::optional<std::filesystem::path> report;
+    std::optional<std::filesystem::path> violations;
     std::optional<int> threads;
     bool quiet = false;
 };

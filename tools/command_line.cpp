@@ -1,7 +1,10 @@
 #include <foldless/tools/command_line.h>
 
+#include <foldless/io/file_type.h>
+#include <foldless/io/printable.h>
 #include <foldless/report/option_names.h>
 #include <foldless/report/version.h>
+#include <foldless/tools/distinct_files.h>
 #include <foldless/tools/option_values.h>
 #include <foldless/tools/simplify_arguments.h>
 #include <foldless/tools/wrong_usage.h>
@@ -36,6 +39,7 @@ struct VerifyArguments {
     std::string base;
     std::string scan;
     std::optional<std::string> report;
+    std::optional<std::string> violations;
     std::optional<std::string> threads;
     bool quiet = false;
 };
@@ -101,6 +105,8 @@ void declare_verify(CLI::App& app, VerifyArguments& arguments) {
     app.add_option("BASE", arguments.base, "the base mesh: .ply or .obj")->required();
     app.add_option("SCAN", arguments.scan, "the scan: .ply, .obj, .off or .stl")->required();
     app.add_option("--report", arguments.report, "write a report")->type_name("FILE.json");
+    app.add_option("--violations", arguments.violations, "write the located violations as a mesh to look at")
+        ->type_name("FILE.ply");
     app.add_option("--threads", arguments.threads, "default: all cores")->type_name("N");
     app.add_flag("--quiet", arguments.quiet, "print violations and errors only");
 }
@@ -110,13 +116,27 @@ void declare_info(CLI::App& app, InfoArguments& arguments) {
     app.add_flag("--json", arguments.json, "print a report for other programs");
 }
 
-VerifyCommand verify_command(const VerifyArguments& arguments) {
-    VerifyCommand command;
+void name_files(VerifyCommand& command, const VerifyArguments& arguments) {
     command.base = file_name({"BASE", arguments.base});
     command.scan = file_name({"SCAN", arguments.scan});
+    std::vector<NamedFile> outputs;
     if (arguments.report) {
         command.report = file_name({"--report", *arguments.report});
+        outputs.emplace_back("--report", *command.report);
     }
+    if (arguments.violations) {
+        command.violations = file_name({"--violations", *arguments.violations});
+        outputs.emplace_back("--violations", *command.violations);
+        if (file_type(*command.violations) != FileType::ply) {
+            throw WrongUsage(fmt::format("--violations must end in .ply: {}", printable(*command.violations)));
+        }
+    }
+    require_distinct_files(outputs, {{"the base mesh", command.base}, {"the scan", command.scan}});
+}
+
+VerifyCommand verify_command(const VerifyArguments& arguments) {
+    VerifyCommand command;
+    name_files(command, arguments);
     if (arguments.threads) {
         command.threads = thread_count({"--threads", *arguments.threads});
     }

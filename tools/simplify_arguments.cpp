@@ -2,20 +2,17 @@
 
 #include <foldless/io/file_type.h>
 #include <foldless/io/printable.h>
+#include <foldless/tools/distinct_files.h>
 #include <foldless/tools/option_values.h>
 #include <foldless/tools/wrong_usage.h>
 
 #include <fmt/format.h>
 
-#include <system_error>
-#include <utility>
 #include <vector>
 
 namespace foldless {
 
 namespace {
-
-using NamedFile = std::pair<const char*, std::filesystem::path>;
 
 template <class Option>
 void lay_over(Option& option, const char* name, const std::optional<std::string>& word) {
@@ -55,19 +52,6 @@ std::vector<NamedFile> outputs(const SimplifyCommand& command) {
     return files;
 }
 
-/// Whether two names stand for one file, existing or not.
-bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
-    std::error_code error;
-    if (std::filesystem::equivalent(a, b, error)) {
-        return true;
-    }
-    const auto resolved = [&](const std::filesystem::path& path) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
-    };
-    const std::filesystem::path resolved_a = resolved(a);
-    return !resolved_a.empty() && resolved_a == resolved(b);
-}
-
 void require_writable_types(const SimplifyCommand& command) {
     const FileType type = file_type(command.base);
     if (type != FileType::ply && type != FileType::obj) {
@@ -81,21 +65,6 @@ void require_writable_types(const SimplifyCommand& command) {
     }
 }
 
-/// A base mesh without its scan is of no use: it cannot be verified, and nothing can be baked from it.
-void require_distinct_files(const SimplifyCommand& command) {
-    const std::vector<NamedFile> files = outputs(command);
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (is_same_file(files[i].second, command.scan)) {
-            throw WrongUsage(fmt::format("{} would overwrite the scan {}", files[i].first, printable(command.scan)));
-        }
-        for (std::size_t j = 0; j < i; ++j) {
-            if (is_same_file(files[i].second, files[j].second)) {
-                throw WrongUsage(fmt::format("{} and {} name the same file", files[j].first, files[i].first));
-            }
-        }
-    }
-}
-
 void name_files(SimplifyCommand& command, const SimplifyArguments& arguments) {
     command.scan = file_name({"SCAN", arguments.scan});
     command.base = file_name({"--output", arguments.base});
@@ -106,7 +75,7 @@ void name_files(SimplifyCommand& command, const SimplifyArguments& arguments) {
         command.correspondence = file_name({"--correspondence", *arguments.correspondence});
     }
     require_writable_types(command);
-    require_distinct_files(command);
+    require_distinct_files(outputs(command), {{"the scan", command.scan}});
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include <foldless/tools/verify.h>
 
+#include <foldless/io/atomic_file.h>
 #include <foldless/io/bounding_box.h>
 #include <foldless/io/printable.h>
 #include <foldless/io/read_mesh.h>
@@ -7,25 +8,17 @@
 #include <foldless/report/json_report.h>
 #include <foldless/report/process_usage.h>
 #include <foldless/report/summary.h>
+#include <foldless/report/violations_ply.h>
 #include <foldless/tools/input.h>
-#include <foldless/tools/wrong_usage.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <system_error>
+#include <vector>
 
 namespace foldless {
 
 namespace {
-
-void require_report_apart(const VerifyCommand& command) {
-    std::error_code ignored;
-    if (command.report && (std::filesystem::equivalent(*command.report, command.base, ignored) ||
-                           std::filesystem::equivalent(*command.report, command.scan, ignored))) {
-        throw WrongUsage(fmt::format("--report would overwrite the mesh {}", printable(*command.report)));
-    }
-}
 
 BaseMesh read_base(const std::filesystem::path& path, const Console& console) {
     ReadBaseMesh read = read_base_mesh(path);
@@ -50,21 +43,42 @@ VerifyResult verify_base(const std::filesystem::path& path, const BaseMesh& base
     }
 }
 
-VerifyRecord record_of(const VerifyCommand& command) {
+struct Verification {
+    BaseMesh base;
+    Input input;
+    VerifyRecord record;
+};
+
+Verification verify_files(const VerifyCommand& command) {
     const Console console(command.quiet);
     Stopwatch watch;
-    const BaseMesh base = read_base(command.base, console);
-    const Input input = read_input(command.scan, console);
-    VerifyRecord record;
+    Verification done{read_base(command.base, console), read_input(command.scan, console), {}};
+    VerifyRecord& record = done.record;
     record.usage.times.read = watch.lap();
-    record.certificate = verify_base(command.base, base, input, command);
+    record.certificate = verify_base(command.base, done.base, done.input, command);
     record.usage.times.verify = watch.lap();
     record.usage.peak_memory_bytes = peak_memory_bytes();
     record.usage.threads = threads_to_use(command.threads);
-    record.input = input.record;
-    record.output = {command.base.string(), base.positions.size(), base.faces.size(), record.certificate.frozen_faces};
-    record.displacement = displacement_of(record.certificate, input.scan);
-    return record;
+    record.input = done.input.record;
+    record.output = {command.base.string(), done.base.positions.size(), done.base.faces.size(),
+                     record.certificate.frozen_faces};
+    record.displacement = displacement_of(record.certificate, done.input.scan);
+    return done;
+}
+
+/// Everything is on the disk before anything gets its name.
+void write_outputs(const VerifyCommand& command, const Verification& done) {
+    std::vector<AtomicFile> files;
+    if (command.violations) {
+        files.push_back(
+            stage_text(*command.violations, violations_ply(done.record.certificate, done.base, done.input.scan)));
+    }
+    if (command.report) {
+        files.push_back(stage_text(*command.report, json_report(done.record)));
+    }
+    for (AtomicFile& file : files) {
+        file.commit();
+    }
 }
 
 } // namespace
@@ -86,21 +100,21 @@ void print_violations(std::string_view name, const VerifyResult& result) {
 }
 
 ExitCode run(const VerifyCommand& command) {
-    require_report_apart(command);
-    if (command.report) {
-        require_writable(*command.report);
+    for (const auto& output : {command.report, command.violations}) {
+        if (output) {
+            require_writable(*output);
+        }
     }
-    const VerifyRecord record = record_of(command);
-    if (command.report) {
-        write_text(*command.report, json_report(record));
-    }
-    if (!record.certificate.certified()) {
-        print_violations(printable(command.base), record.certificate);
+    const Verification done = verify_files(command);
+    write_outputs(command, done);
+    const VerifyResult& certificate = done.record.certificate;
+    if (!certificate.certified()) {
+        print_violations(printable(command.base), certificate);
         return ExitCode::not_certified;
     }
     Console(command.quiet)
         .note(fmt::format("{} represents {}: certified, {}", printable(command.base), printable(command.scan),
-                          certificate_text(record.certificate)));
+                          certificate_text(certificate)));
     return ExitCode::done;
 }
 

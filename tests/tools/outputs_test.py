@@ -5,13 +5,9 @@ import resource
 import unittest
 
 from meshes import sphere, write_ply
-from program import ProgramTest
+from program import ProgramTest, limit
 
 MEGABYTE = 1 << 20
-
-
-def limit(kind, amount):
-    return lambda: resource.setrlimit(kind, (amount, amount))
 
 
 class UnwritableOutputs(ProgramTest):

@@ -2,6 +2,7 @@
 
 import json
 import os
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -9,6 +10,11 @@ from pathlib import Path
 
 PROGRAM = os.environ["FOLDLESS_PROGRAM"]
 SECONDS_FOR_ONE_RUN = 200
+
+
+def limit(kind, amount):
+    """For preexec_fn: bounds what the program may use of a resource."""
+    return lambda: resource.setrlimit(kind, (amount, amount))
 
 
 class ProgramTest(unittest.TestCase):

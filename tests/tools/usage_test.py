@@ -29,6 +29,11 @@ class Help(ProgramTest):
         ).split():
             self.assertIn(option, text)
 
+    def test_help_of_verify_names_each_option_that_is_promised(self):
+        text = self.expect(0, "verify", "--help").stdout
+        for option in "--report --violations --threads --quiet --version --help".split():
+            self.assertIn(option, text)
+
 
 class WrongUsage(ProgramTest):
     def setUp(self):
@@ -144,6 +149,16 @@ class WrongUsage(ProgramTest):
             with self.subTest(arguments=arguments):
                 self.assertIn("overwrite", self.expect_one_line(2, "simplify", "scan.off", *arguments))
         self.assertIn("overwrite", self.expect_one_line(2, "verify", "base.ply", "scan.off", "--report", "scan.off"))
+
+    def test_verify_overwrites_no_mesh_and_writes_violations_as_ply(self):
+        for arguments in (
+            ["--violations", "v.obj"],
+            ["--violations", "base.ply"],
+            ["--report", "./base.ply"],
+            ["--report", "v.ply", "--violations", "./v.ply"],
+        ):
+            with self.subTest(arguments=arguments):
+                self.assertIn(arguments[0], self.refused("verify", "base.ply", "scan.off", *arguments))
 
     def test_control_characters_do_not_break_the_line(self):
         self.refused("simplify", "scan.off", "-o", "base.ply", "--bo\ngus")
