@@ -104,6 +104,12 @@ RealRoot Displacement::exact() const {
     return root_inside(*triangle_, *line_.from, bounds_);
 }
 
+void Displacement::keep_exact() {
+    if (!root_ && !is_double()) {
+        root_ = std::make_shared<const RealRoot>(exact());
+    }
+}
+
 Sign compare(const Displacement& a, const Displacement& b) {
     if (filters_enabled() || (a.is_double() && b.is_double())) {
         const Range x = a.bounds();

@@ -45,6 +45,8 @@ public:
 
     /// For the sources of this layer.
     [[nodiscard]] RealRoot exact() const;
+    /// Keeps what exact() gives, for one that will be compared again.
+    void keep_exact();
 
 private:
     Displacement(Range bounds, const BaseTriangle* triangle, int wall, ScanLine line)

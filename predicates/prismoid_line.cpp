@@ -11,6 +11,9 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
+
+#include <CGAL/number_utils.h>
 
 namespace foldless {
 namespace {
@@ -72,6 +75,38 @@ std::optional<Range> filtered_linear_root(const Quadratic<Interval>& c) {
     return have_opposite_signs(c, bounds) ? std::optional(bounds) : std::nullopt;
 }
 
+/// The roots of a quadratic with two, or of a linear polynomial, between doubles that lie close around them: nothing if
+/// doubles cannot tell them apart. Exact, but guided by doubles: nearly all that intervals left open ends here.
+std::optional<std::vector<Range>> guided_roots(const ExactPolynomial& f) {
+    std::vector<double> guesses;
+    const std::vector<Exact>& c = f.coefficients();
+    const double c0 = CGAL::to_double(c[0]);
+    const double c1 = CGAL::to_double(c[1]);
+    if (f.degree() == 1) {
+        guesses = {-c0 / c1};
+    } else {
+        const double c2 = CGAL::to_double(c[2]);
+        const double h = -0.5 * (c1 + std::copysign(std::sqrt(std::max(0.0, c1 * c1 - 4 * c0 * c2)), c1));
+        guesses = {h / c2, c0 / h};
+    }
+    std::sort(guesses.begin(), guesses.end());
+    std::vector<Range> roots;
+    for (const double guess : guesses) {
+        const double margin = 64 * unit_roundoff * std::abs(guess) + std::numeric_limits<double>::min();
+        const Range bounds{guess - margin, guess + margin};
+        const bool is_free = roots.empty() || roots.back().hi < bounds.lo;
+        if (!std::isfinite(bounds.lo) || !std::isfinite(bounds.hi) || !is_free) {
+            return std::nullopt;
+        }
+        const Sign at_lo = f.sign_at(Exact(bounds.lo));
+        if (at_lo == Sign::zero || f.sign_at(Exact(bounds.hi)) != -at_lo) {
+            return std::nullopt;
+        }
+        roots.push_back(bounds);
+    }
+    return roots;
+}
+
 /// Every number a root of which could be is within the bounds: |root| <= 1 + max |c_i / c_n|, to a power of two.
 Exact root_bound(const ExactPolynomial& f) {
     const Exact& lead = f.coefficients().back();
@@ -92,7 +127,7 @@ Exact root_bound(const ExactPolynomial& f) {
 class Follower {
 public:
     Follower(const BaseTriangle& triangle, const ScanLine& line, const PrismoidPoint& from, const PrismoidPoint* end)
-        : triangle_(triangle), line_(line), from_(from), end_(end) {
+        : triangle_(triangle), line_(line), from_(from), end_(end == nullptr ? std::nullopt : std::optional(*end)) {
         set_sides();
     }
 
@@ -110,7 +145,7 @@ public:
 
 private:
     [[nodiscard]] bool is_on(int k) const { return (from_.walls & wall_bit(k)) != 0; }
-    [[nodiscard]] bool ends_on(int k) const { return end_ != nullptr && (end_->walls & wall_bit(k)) != 0; }
+    [[nodiscard]] bool ends_on(int k) const { return end_ && (end_->walls & wall_bit(k)) != 0; }
 
     /// The quadratic of wall k; intervals are at hand.
     template <class Number>
@@ -133,13 +168,14 @@ private:
         });
     }
 
+    [[nodiscard]] int along(Displacement& a, Displacement& b) const;
     [[nodiscard]] bool ends_before_any_wall() const;
     [[nodiscard]] bool meets_no_wall(int k, const Interval& start, const Interval& end) const;
-    [[nodiscard]] Passage follow_upwards_or_downwards() const;
+    [[nodiscard]] Passage follow_upwards_or_downwards();
     [[nodiscard]] bool is_on_another_wall(int wall, const Displacement& t) const;
-    [[nodiscard]] std::optional<Displacement> first_exit(int k) const;
-    [[nodiscard]] std::optional<Displacement> exit_from_wall(int k) const;
-    [[nodiscard]] std::optional<Displacement> exit_ahead(int k) const;
+    [[nodiscard]] std::optional<Displacement> first_exit(int k);
+    [[nodiscard]] std::optional<Displacement> exit_from_wall(int k);
+    [[nodiscard]] std::optional<Displacement> exit_ahead(int k);
     [[nodiscard]] bool certainly_beyond_line(const Displacement& t) const;
 
     [[nodiscard]] Passage follow_in_slice() const;
@@ -148,8 +184,8 @@ private:
 
     const BaseTriangle& triangle_;
     ScanLine line_;
-    const PrismoidPoint& from_;
-    const PrismoidPoint* end_;
+    PrismoidPoint from_; ///< copies, which keep their exact roots once these are asked for
+    std::optional<PrismoidPoint> end_;
     Quadratic<Interval> rise_;
     std::array<Quadratic<Interval>, 3> sides_;
     int direction_ = 0; ///< 1 if the displacement grows along the lift, -1 if it falls
@@ -222,9 +258,20 @@ bool Follower::meets_no_wall(int k, const Interval& start, const Interval& end) 
     return (b0 * direction).inf() > 0 && (twice_b1 * direction).inf() > 0 && (b2 * direction).inf() > 0;
 }
 
+/// The order of two displacements in the direction of the lift: 1 if a comes after b.
+int Follower::along(Displacement& a, Displacement& b) const {
+    const Range x = a.bounds();
+    const Range y = b.bounds();
+    if (!filters_enabled() || (x.lo <= y.hi && y.lo <= x.hi)) {
+        a.keep_exact();
+        b.keep_exact();
+    }
+    return direction_ * as_int(compare(a, b));
+}
+
 /// Whether the line certainly reaches its end in this prismoid, as the filter sees it: nearly always if it does.
 bool Follower::ends_before_any_wall() const {
-    if (end_ == nullptr || !filters_enabled()) {
+    if (!end_ || !filters_enabled()) {
         return false;
     }
     const Range a = from_.t.bounds();
@@ -240,7 +287,7 @@ bool Follower::ends_before_any_wall() const {
     return false;
 }
 
-Passage Follower::follow_upwards_or_downwards() const {
+Passage Follower::follow_upwards_or_downwards() {
     std::optional<Displacement> next;
     int wall = -1;
     bool is_tie = false;
@@ -249,21 +296,20 @@ Passage Follower::follow_upwards_or_downwards() const {
         if (!exit) {
             continue;
         }
-        const int order = next ? direction_ * as_int(compare(*exit, *next)) : -1;
+        const int order = next ? along(*exit, *next) : -1;
         if (order < 0) {
             next = std::move(exit);
             wall = k;
         }
         is_tie = order == 0 || (is_tie && order > 0);
     }
-    if (end_ != nullptr && direction_ * as_int(compare(end_->t, from_.t)) >= 0 &&
-        (!next || direction_ * as_int(compare(*next, end_->t)) >= 0)) {
+    if (end_ && along(end_->t, from_.t) >= 0 && (!next || along(*next, end_->t) >= 0)) {
         return {Passage::Kind::ends, -1, end_->t};
     }
     if (!next || certainly_beyond_line(*next)) {
         return {};
     }
-    is_tie = is_tie || (compare(*next, from_.t) != Sign::zero && is_on_another_wall(wall, *next));
+    is_tie = is_tie || (along(*next, from_.t) != 0 && is_on_another_wall(wall, *next));
     return {is_tie ? Passage::Kind::pillar : Passage::Kind::leaves, wall, *next};
 }
 
@@ -279,12 +325,12 @@ bool Follower::is_on_another_wall(int wall, const Displacement& t) const {
 }
 
 /// Where the line first goes out through wall k, if it does.
-std::optional<Displacement> Follower::first_exit(int k) const {
+std::optional<Displacement> Follower::first_exit(int k) {
     return is_on(k) ? exit_from_wall(k) : exit_ahead(k);
 }
 
 /// The wall on which the line starts: side_k = (t - start) (c1 + c2 (t + start)).
-std::optional<Displacement> Follower::exit_from_wall(int k) const {
+std::optional<Displacement> Follower::exit_from_wall(int k) {
     const Sign slope = sign_at(from_.t, [&](const auto& zero) {
         using Number = std::decay_t<decltype(zero)>;
         const Quadratic<Number> c = side_in<Number>(k);
@@ -316,8 +362,8 @@ std::optional<Displacement> Follower::exit_from_wall(int k) const {
 }
 
 /// The first root of side_k beyond the start, where it changes sign.
-std::optional<Displacement> Follower::exit_ahead(int k) const {
-    const auto is_ahead = [&](const Displacement& t) { return direction_ * as_int(compare(t, from_.t)) > 0; };
+std::optional<Displacement> Follower::exit_ahead(int k) {
+    const auto is_ahead = [&](Displacement& t) { return along(t, from_.t) > 0; };
     if (filters_enabled()) {
         std::optional<std::array<Range, 2>> roots;
         std::optional<Range> only;
@@ -330,7 +376,7 @@ std::optional<Displacement> Follower::exit_ahead(int k) const {
             roots = none || only ? std::nullopt : filtered_roots(c);
         }
         if (only) {
-            const Displacement t = Displacement::at_wall(triangle_, k, line_, *only);
+            Displacement t = Displacement::at_wall(triangle_, k, line_, *only);
             return is_ahead(t) ? std::optional(t) : std::nullopt;
         }
         if (none) {
@@ -342,7 +388,7 @@ std::optional<Displacement> Follower::exit_ahead(int k) const {
                 std::swap((*roots)[0], (*roots)[1]);
             }
             for (const Range& bounds : *roots) {
-                const Displacement t = Displacement::at_wall(triangle_, k, line_, bounds);
+                Displacement t = Displacement::at_wall(triangle_, k, line_, bounds);
                 if (is_ahead(t)) {
                     return t;
                 }
@@ -359,18 +405,22 @@ std::optional<Displacement> Follower::exit_ahead(int k) const {
     if (is_touch) {
         return std::nullopt;
     }
-    const Exact bound = root_bound(c);
-    std::vector<RealRoot> roots = real_roots_in(c, -bound, bound);
+    std::vector<Displacement> roots;
+    if (const std::optional<std::vector<Range>> guided = guided_roots(c)) {
+        for (const Range& bounds : *guided) {
+            roots.push_back(Displacement::at_wall(triangle_, k, line_, bounds));
+        }
+    } else {
+        const Exact bound = root_bound(c);
+        for (RealRoot& root : real_roots_in(c, -bound, bound)) {
+            roots.push_back(Displacement::of_root(std::move(root)));
+        }
+    }
     if (direction_ < 0) {
         std::reverse(roots.begin(), roots.end());
     }
-    for (RealRoot& root : roots) {
-        Displacement t = Displacement::of_root(std::move(root));
-        if (is_ahead(t)) {
-            return t;
-        }
-    }
-    return std::nullopt;
+    const auto first = std::find_if(roots.begin(), roots.end(), is_ahead);
+    return first == roots.end() ? std::nullopt : std::optional(*first);
 }
 
 /// Whether s = C_from / w at t is certainly larger than 1.
@@ -412,7 +462,7 @@ Sign Follower::compare_in_slice(int j, int k) const {
 }
 
 Passage Follower::follow_in_slice() const {
-    if (end_ != nullptr && compare(end_->t, from_.t) == Sign::zero) {
+    if (end_ && compare(end_->t, from_.t) == Sign::zero) {
         return {Passage::Kind::ends, -1, end_->t}; // the slice is convex
     }
     int wall = -1;
