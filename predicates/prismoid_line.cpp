@@ -92,7 +92,7 @@ std::optional<std::vector<Range>> guided_roots(const ExactPolynomial& f) {
     std::sort(guesses.begin(), guesses.end());
     std::vector<Range> roots;
     for (const double guess : guesses) {
-        const double margin = 64 * unit_roundoff * std::abs(guess) + std::numeric_limits<double>::min();
+        const double margin = 16 * unit_roundoff * std::abs(guess) + std::numeric_limits<double>::min();
         const Range bounds{guess - margin, guess + margin};
         const bool is_free = roots.empty() || roots.back().hi < bounds.lo;
         if (!std::isfinite(bounds.lo) || !std::isfinite(bounds.hi) || !is_free) {
@@ -176,7 +176,6 @@ private:
     [[nodiscard]] std::optional<Displacement> first_exit(int k);
     [[nodiscard]] std::optional<Displacement> exit_from_wall(int k);
     [[nodiscard]] std::optional<Displacement> exit_ahead(int k);
-    [[nodiscard]] bool certainly_beyond_line(const Displacement& t) const;
 
     [[nodiscard]] Passage follow_in_slice() const;
     [[nodiscard]] Sign sign_in_slice(int k, const Vec3& q) const;
@@ -306,7 +305,7 @@ Passage Follower::follow_upwards_or_downwards() {
     if (end_ && along(end_->t, from_.t) >= 0 && (!next || along(*next, end_->t) >= 0)) {
         return {Passage::Kind::ends, -1, end_->t};
     }
-    if (!next || certainly_beyond_line(*next)) {
+    if (!next) {
         return {};
     }
     is_tie = is_tie || (along(*next, from_.t) != 0 && is_on_another_wall(wall, *next));
@@ -421,14 +420,6 @@ std::optional<Displacement> Follower::exit_ahead(int k) {
     }
     const auto first = std::find_if(roots.begin(), roots.end(), is_ahead);
     return first == roots.end() ? std::nullopt : std::optional(*first);
-}
-
-/// Whether s = C_from / w at t is certainly larger than 1.
-bool Follower::certainly_beyond_line(const Displacement& t) const {
-    const UpwardRounding upward;
-    const Interval in(t.bounds().lo, t.bounds().hi);
-    const Interval s = value_at(cubic<Interval>(triangle_, *line_.from), in) / value_at(rise_, in);
-    return s.inf() > 1;
 }
 
 // --- t is constant ---------------------------------------------------------------------------------------------------

@@ -27,6 +27,9 @@ struct Passage {
 /// and alpha_k = side_k/w: a wall is met where its quadratic changes sign. Where w = 0 the line lies in one slice, and
 /// the walls are met in the order of s.
 ///
+/// The line is not left at its end: from a prismoid in which it does not end the lift goes on straight. s grows along
+/// it, and a wall is met twice at most, so that following it ends.
+///
 /// The range of the prismoid is not looked at: the caller asks whether `t` lies in it, and whether J > 0 on it, which
 /// this relies on. Refers to the triangle and to the line.
 [[nodiscard]] Passage follow_line(const BaseTriangle& triangle, const ScanLine& line, const PrismoidPoint& from,

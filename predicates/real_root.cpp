@@ -127,8 +127,8 @@ Sign compare(RealRoot a, RealRoot b) {
 }
 
 std::vector<RealRoot> real_roots_in(const ExactPolynomial& f, const Exact& lo, const Exact& hi) {
-    const bool has_one = sign_changes(f.bernstein(lo, hi)) == 1 && f.sign_at(lo) != Sign::zero &&
-                         f.sign_at(hi) != Sign::zero;
+    const bool has_one =
+        sign_changes(f.bernstein(lo, hi)) == 1 && f.sign_at(lo) != Sign::zero && f.sign_at(hi) != Sign::zero;
     if (has_one) { // a simple one, by Descartes' rule: nearly always
         return {RealRoot(f, lo, hi)};
     }
