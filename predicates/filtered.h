@@ -50,6 +50,13 @@ Number dot(const VectorOf<Number>& a, const VectorOf<Number>& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/// n = (q1 - q0) x (q2 - q0).
+template <class Number>
+VectorOf<Number> normal_of(const ScanTriangle& triangle) {
+    const VectorOf<Number> q0 = exactly<Number>(triangle[0]);
+    return cross(exactly<Number>(triangle[1]) - q0, exactly<Number>(triangle[2]) - q0);
+}
+
 /// The sign of every number in the interval, if they all have the same.
 inline Sign sign_of(const Interval& x) {
     if (x.inf() > 0) {

@@ -18,7 +18,7 @@ struct Height {
 
     Height(const DisplacedVertex& vertex, const ScanTriangle& triangle) {
         const VectorOf<Number> q0 = exactly<Number>(triangle[0]);
-        const VectorOf<Number> n = cross(exactly<Number>(triangle[1]) - q0, exactly<Number>(triangle[2]) - q0);
+        const VectorOf<Number> n = normal_of<Number>(triangle);
         l = dot(exactly<Number>(vertex.v) - q0, n);
         m = dot(exactly<Number>(vertex.d), n);
     }

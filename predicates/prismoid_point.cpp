@@ -171,9 +171,7 @@ Sign normal_condition_at(const BaseTriangle& triangle, const Vec3& q, const Disp
     }
     return sign_at(t, [&](const auto& zero) {
         using Number = std::decay_t<decltype(zero)>;
-        const VectorOf<Number> q0 = exactly<Number>(scan_triangle[0]);
-        const VectorOf<Number> n =
-            cross(exactly<Number>(scan_triangle[1]) - q0, exactly<Number>(scan_triangle[2]) - q0);
+        const VectorOf<Number> n = normal_of<Number>(scan_triangle);
         // Sum of alpha_k J_0 times m_k.
         Coefficients<Number, 3> sum{Number(0), Number(0), Number(0)};
         for (int k = 0; k < 3; ++k) {
@@ -201,8 +199,7 @@ Sign normal_condition_at_wall(const BaseTriangle& triangle, int k, const Displac
     return sign_at(t, [&](const auto& zero) {
         using Number = std::decay_t<decltype(zero)>;
         const VectorOf<Number> q0 = exactly<Number>(scan_triangle[0]);
-        const VectorOf<Number> n =
-            cross(exactly<Number>(scan_triangle[1]) - q0, exactly<Number>(scan_triangle[2]) - q0);
+        const VectorOf<Number> n = normal_of<Number>(scan_triangle);
         const Number l_i = dot(exactly<Number>(triangle.v[i]) - q0, n);
         const Number l_j = dot(exactly<Number>(triangle.v[j]) - q0, n);
         const Number m_i = dot(exactly<Number>(triangle.d[i]), n);

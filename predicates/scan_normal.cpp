@@ -45,9 +45,7 @@ Sign seen_along(const Vec3& d, const ScanTriangle& triangle) {
     }
     return filtered([&](const auto& zero) {
         using Number = std::decay_t<decltype(zero)>;
-        const VectorOf<Number> q0 = exactly<Number>(triangle[0]);
-        return sign_of(
-            dot(exactly<Number>(d), cross(exactly<Number>(triangle[1]) - q0, exactly<Number>(triangle[2]) - q0)));
+        return sign_of(dot(exactly<Number>(d), normal_of<Number>(triangle)));
     });
 }
 

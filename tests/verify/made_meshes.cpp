@@ -1,8 +1,8 @@
 #include "made_meshes.h"
 
+#include "../subdivided.h"
+
 #include <cmath>
-#include <map>
-#include <utility>
 
 namespace foldless::test {
 namespace {
@@ -10,27 +10,6 @@ namespace {
 const std::vector<Vec3> axes{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 const std::vector<Triangle> octants{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
                                     {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-
-/// Splits every triangle in four at its edges' midpoints, moved to the unit sphere.
-Scan subdivided(const Scan& mesh) {
-    Scan result{mesh.positions, {}, false};
-    std::map<std::pair<int, int>, std::int32_t> midpoints;
-    const auto midpoint = [&](std::int32_t a, std::int32_t b) {
-        const auto [entry, is_new] =
-            midpoints.try_emplace(std::minmax(a, b), static_cast<int>(result.positions.size()));
-        if (is_new) {
-            result.positions.push_back((mesh.positions[a] + mesh.positions[b]).normalized());
-        }
-        return entry->second;
-    };
-    for (const auto& [a, b, c] : mesh.faces) {
-        const std::int32_t ab = midpoint(a, b);
-        const std::int32_t bc = midpoint(b, c);
-        const std::int32_t ca = midpoint(c, a);
-        result.faces.insert(result.faces.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-    }
-    return result;
-}
 
 Scan sphere(int levels, const Eigen::Matrix3d& turn) {
     Scan result{axes, octants, false};

@@ -1,5 +1,7 @@
 #include "random_scans.h"
 
+#include "../subdivided.h"
+
 #include <foldless/io/float32.h>
 
 #include <algorithm>
@@ -20,27 +22,6 @@ Vec3 random_vector(Random& random, double size) {
     const double x = uniform(random, -size, size);
     const double y = uniform(random, -size, size);
     return {x, y, uniform(random, -size, size)};
-}
-
-/// Splits every triangle in four.
-Scan subdivided(const Scan& mesh) {
-    Scan result{mesh.positions, {}};
-    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> midpoints;
-    const auto midpoint = [&](std::int32_t a, std::int32_t b) {
-        const auto next = static_cast<std::int32_t>(result.positions.size());
-        const auto [entry, is_new] = midpoints.try_emplace({std::min(a, b), std::max(a, b)}, next);
-        if (is_new) {
-            result.positions.push_back((mesh.positions[a] + mesh.positions[b]).normalized());
-        }
-        return entry->second;
-    };
-    for (const auto& [a, b, c] : mesh.faces) {
-        const std::int32_t ab = midpoint(a, b);
-        const std::int32_t bc = midpoint(b, c);
-        const std::int32_t ca = midpoint(c, a);
-        result.faces.insert(result.faces.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-    }
-    return result;
 }
 
 Scan sphere(Random& random) {
