@@ -48,6 +48,26 @@ bool same_point(PatchedSurface& surface, const Lift& a, const Lift& b) {
     return false;
 }
 
+Lift in_lower_cell(PatchedSurface& surface, const Lift& lift) {
+    if (std::popcount(lift.walls) != 1) {
+        return lift;
+    }
+    const int wall = std::countr_zero(lift.walls);
+    const int other = surface.neighbour(lift.cell, wall);
+    if (other == border || other > lift.cell || surface.cell(other).impassable) {
+        return lift;
+    }
+    // The other cell runs along the edge the other way.
+    const int first = (wall + 1) % 3;
+    const int second = (wall + 2) % 3;
+    const int there = surface.corner_of(other, surface.cell(lift.cell).corners[first]);
+    Lift result{other, lift.at, wall_bit((there + 1) % 3)};
+    result.at.alpha[there] = lift.at.alpha[first];
+    result.at.alpha[(there + 1) % 3] = lift.at.alpha[wall];
+    result.at.alpha[(there + 2) % 3] = lift.at.alpha[second];
+    return result;
+}
+
 bool is_clearly_outside(const Preimage& preimage) {
     return preimage.alpha.minCoeff() < -clearly_outside;
 }

@@ -29,6 +29,10 @@ struct Lift {
 /// Whether two places are the same point on the common wall of their cells.
 [[nodiscard]] bool same_point(PatchedSurface& surface, const Lift& a, const Lift& b);
 
+/// The place of a point, as one in the lower of the two cells of its wall if it lies on one: that is its owner. An
+/// impassable cell owns none.
+[[nodiscard]] Lift in_lower_cell(PatchedSurface& surface, const Lift& lift);
+
 /// Whether a solution lies so far outside its triangle that no enclosure is needed to say so.
 [[nodiscard]] bool is_clearly_outside(const Preimage& preimage);
 

@@ -277,10 +277,13 @@ Verdict Validator::corner(std::int32_t scan_vertex, Corner& out) {
     const Vec3& q = scan_->positions[scan_vertex];
     const std::optional<Enclosure> at = enclose(triangle, q, place.alpha, place.t);
     const std::optional<Lift> lift = at ? lift_of(out.cell, triangle, q, *at) : std::nullopt;
-    if (lift) {
-        out.lift = *lift;
+    if (!lift) {
+        return Verdict::undecided;
     }
-    return lift ? Verdict::accepted : Verdict::undecided;
+    // A corner on the rim of the patch was with the outer cell; now the new one is the lower.
+    out.lift = in_lower_cell(surface_, *lift);
+    out.cell = out.lift.cell;
+    return Verdict::accepted;
 }
 
 /// Where a corner lies in a cell that holds it.

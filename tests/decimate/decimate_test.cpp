@@ -81,6 +81,10 @@ TEST(Decimate, ReducesAFlatGrid) {
     for (const double t : result.correspondence.t) {
         EXPECT_EQ(t, 0);
     }
+    // A vertex on the rim of a patch belongs to one cell for all scan edges that start at it.
+    for (const Verdict verdict : {Verdict::no_preimage, Verdict::normal_condition, Verdict::out_of_range}) {
+        EXPECT_EQ(refusals(result, verdict), 0) << name(verdict);
+    }
 }
 
 TEST(Decimate, ReachesTheTarget) {

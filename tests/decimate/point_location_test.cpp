@@ -63,6 +63,25 @@ TEST_F(OnASquare, APointOnTheWallBetweenFacesBelongsToTheFirst) {
     }
 }
 
+TEST_F(OnASquare, APlaceOnAWallIsHandedToTheLowerCell) {
+    ASSERT_EQ(locate({0.25, 0.25, 0.5}), Verdict::accepted);
+    const int on_wall = surface_.corner_of(1, 3);
+    Lift upper{1, lift_.at, wall_bit(on_wall)};
+    upper.at.alpha = Vec3(0.75, 0.25, 0); // 0, 2, 3
+    Lift lower = in_lower_cell(surface_, upper);
+    EXPECT_TRUE(same_point(surface_, lower, upper));
+    EXPECT_EQ(lower.cell, 0);
+    EXPECT_EQ(lower.walls, wall_bit(surface_.corner_of(0, 1)));
+    EXPECT_EQ(lower.at.alpha, Vec3(0.75, 0, 0.25)); // 0, 1, 2
+    EXPECT_EQ(lower.at.t, upper.at.t);
+    // There is none below it; and what lies on no wall, or on the border, stays.
+    EXPECT_EQ(in_lower_cell(surface_, lower).cell, 0);
+    upper.walls = 0;
+    EXPECT_EQ(in_lower_cell(surface_, upper).cell, 1);
+    upper.walls = wall_bit(surface_.corner_of(1, 0));
+    EXPECT_EQ(in_lower_cell(surface_, upper).cell, 1);
+}
+
 TEST_F(OnASquare, APointOnTheWallOfTheBorderIsATie) {
     EXPECT_EQ(locate({0.5, 0, 0.5}), Verdict::tie);
     EXPECT_EQ(locate({0.5, 0x1p-30, 0.5}), Verdict::accepted);
