@@ -55,6 +55,30 @@ RealRoot root_inside(const BaseTriangle& triangle, const Vec3& q, Range bounds) 
     return std::move(*found);
 }
 
+/// The root of the quadratic within the bounds at which the line is on the wall between its corners, and between its
+/// own ends. Nearly always there is no other root so near.
+RealRoot root_on_wall(const BaseTriangle& triangle, int k, const ScanLine& line, Range bounds) {
+    const auto side_of = [&](int corner) { return polynomial(side<Exact>(triangle, corner, line)); };
+    std::vector<RealRoot> roots = real_roots_in(side_of(k), Exact(bounds.lo), Exact(bounds.hi));
+    const auto is_met = [&](const RealRoot& root) {
+        // alpha = side / w at s = C_from / w = 1 + C_to / w; and where w = 0 all of these vanish, as the line lies in
+        // the slice.
+        const Sign w = sign_at(root, polynomial(rise<Exact>(triangle, line)));
+        const auto has_sign = [&](const ExactPolynomial& f, Sign expected) {
+            const Sign sign = sign_at(root, f);
+            return sign == Sign::zero || (sign == expected && w != Sign::zero);
+        };
+        return has_sign(side_of((k + 1) % 3), w) && has_sign(side_of((k + 2) % 3), w) &&
+               has_sign(polynomial(cubic<Exact>(triangle, *line.from)), w) &&
+               has_sign(polynomial(cubic<Exact>(triangle, *line.to)), -w);
+    };
+    const auto found = roots.size() == 1 ? roots.begin() : std::find_if(roots.begin(), roots.end(), is_met);
+    if (found == roots.end()) {
+        throw std::logic_error("displacement: the line does not meet the wall within the bounds");
+    }
+    return std::move(*found);
+}
+
 } // namespace
 
 Displacement Displacement::of_point(const BaseTriangle& triangle, const Vec3& q, Range bounds) {
@@ -99,7 +123,7 @@ RealRoot Displacement::exact() const {
         return RealRoot(lo);
     }
     if (wall_ >= 0) {
-        return {polynomial(side<Exact>(*triangle_, wall_, line_)), lo, Exact(bounds_.hi)};
+        return root_on_wall(*triangle_, wall_, line_, bounds_);
     }
     return root_inside(*triangle_, *line_.from, bounds_);
 }

@@ -31,8 +31,8 @@ public:
     /// The only root within the bounds of the cubic of q on the triangle that lies inside it, where J > 0. \pre there
     /// is one
     static Displacement of_point(const BaseTriangle& triangle, const Vec3& q, Range bounds);
-    /// The only root within the bounds of the quadratic of the line and the wall opposite corner k. \pre the quadratic
-    /// has opposite signs at them
+    /// The only root within the bounds of the quadratic of the line and the wall opposite corner k at which they meet
+    /// between their ends; or the only root, wherever they meet. \pre there is one
     static Displacement at_wall(const BaseTriangle& triangle, int k, const ScanLine& line, Range bounds);
     /// A root that is already isolated.
     static Displacement of_root(RealRoot root);

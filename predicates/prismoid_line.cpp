@@ -1,5 +1,6 @@
 #include <foldless/predicates/prismoid_line.h>
 
+#include <foldless/predicates/filtered_passage.h>
 #include <foldless/predicates/prismoid_polynomials.h>
 #include <foldless/predicates/real_root.h>
 #include <foldless/predicates/rounding.h>
@@ -132,15 +133,18 @@ public:
     }
 
     Passage follow() {
-        const int direction = as_int(sign_of_rise());
-        if (direction == 0) {
-            return follow_in_slice();
+        if (filters_enabled()) {
+            if (ends_before_any_wall()) {
+                count_filtered();
+                return {Passage::Kind::ends, -1, end_->t};
+            }
+            if (std::optional<Passage> passage = filtered_passage(triangle_, line_, from_, end_ ? &*end_ : nullptr)) {
+                count_filtered();
+                return *std::move(passage);
+            }
         }
-        direction_ = direction;
-        if (ends_before_any_wall()) {
-            return {Passage::Kind::ends, -1, end_->t};
-        }
-        return follow_upwards_or_downwards();
+        direction_ = as_int(sign_of_rise());
+        return direction_ == 0 ? follow_in_slice() : follow_upwards_or_downwards();
     }
 
 private:
@@ -169,7 +173,7 @@ private:
     }
 
     [[nodiscard]] int along(Displacement& a, Displacement& b) const;
-    [[nodiscard]] bool ends_before_any_wall() const;
+    [[nodiscard]] bool ends_before_any_wall();
     [[nodiscard]] bool meets_no_wall(int k, const Interval& start, const Interval& end) const;
     [[nodiscard]] Passage follow_upwards_or_downwards();
     [[nodiscard]] bool is_on_another_wall(int wall, const Displacement& t) const;
@@ -223,6 +227,10 @@ void Follower::set_sides() {
         const double c0 = ex[i].dot(x[j]);
         const double c1 = ex[i].dot(triangle_.d[j]) + ed[i].dot(x[j]);
         const double c2 = ed[i].dot(triangle_.d[j]);
+        if (lie_across_an_axis(triangle_, k, line_)) {
+            sides_[k] = {Interval(0), Interval(0), Interval(0)};
+            continue;
+        }
         sides_[k] = {around(c0, unit * x_size * x_size), around(c1, 2 * unit * x_size * d_size),
                      // Equal directions make the wall flat, and the quadratic linear.
                      triangle_.d[i] == triangle_.d[j] ? Interval(0) : around(c2, unit * d_size * d_size)};
@@ -268,22 +276,24 @@ int Follower::along(Displacement& a, Displacement& b) const {
     return direction_ * as_int(compare(a, b));
 }
 
-/// Whether the line certainly reaches its end in this prismoid, as the filter sees it: nearly always if it does.
-bool Follower::ends_before_any_wall() const {
-    if (!end_ || !filters_enabled()) {
+/// Whether the line certainly reaches its end in this prismoid, as intervals in t see it: nearly always if it does.
+bool Follower::ends_before_any_wall() {
+    if (!end_) {
         return false;
     }
     const Range a = from_.t.bounds();
     const Range b = end_->t.bounds();
-    const bool is_ahead = direction_ > 0 ? a.hi < b.lo : b.hi < a.lo;
+    if (a.hi >= b.lo && b.hi >= a.lo) {
+        return false;
+    }
     const UpwardRounding upward;
     const Interval start(a.lo, a.hi);
-    const Interval end(b.lo, b.hi);
-    if (is_ahead && meets_no_wall(0, start, end) && meets_no_wall(1, start, end) && meets_no_wall(2, start, end)) {
-        count_filtered();
-        return true;
+    direction_ = a.hi < b.lo ? 1 : -1;
+    if (!((value_at(rise_, start) * direction_).inf() > 0)) {
+        return false;
     }
-    return false;
+    const Interval end(b.lo, b.hi);
+    return meets_no_wall(0, start, end) && meets_no_wall(1, start, end) && meets_no_wall(2, start, end);
 }
 
 Passage Follower::follow_upwards_or_downwards() {

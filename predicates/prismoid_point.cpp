@@ -155,10 +155,11 @@ std::optional<PrismoidPoint> PointFinder::find(const Vec3& q) const {
 }
 
 Sign sign_of_coordinate(const BaseTriangle& triangle, int k, const Vec3& q, const Displacement& t) {
-    // At a root of the cubic of q, side_k with a direction of the triangle for c is alpha_k J_0(t).
+    // At a root of the cubic of q, side_k with d_i of the triangle for c is alpha_k J_i(t). With one of the wall's own
+    // directions it vanishes term by term if the wall and q lie in one plane across an axis, as in much that was built.
     return sign_at(t, [&](const auto& zero) {
         using Number = std::decay_t<decltype(zero)>;
-        return side<Number>(triangle, k, q, exactly<Number>(triangle.d[0]));
+        return side<Number>(triangle, k, q, exactly<Number>(triangle.d[(k + 1) % 3]));
     });
 }
 

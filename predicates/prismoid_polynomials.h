@@ -93,6 +93,21 @@ Coefficients<Number, 3> side(const BaseTriangle& triangle, int k, const ScanLine
     return side(triangle, k, *line.from, exactly<Number>(*line.to) - exactly<Number>(*line.from));
 }
 
+/// Whether the wall and the line lie in one plane across an axis, as they often do in what was built and not scanned:
+/// then the line runs within the wall, and side_k vanishes term by term.
+inline bool lie_across_an_axis(const BaseTriangle& triangle, int k, const ScanLine& line) {
+    const int i = (k + 1) % 3;
+    const int j = (k + 2) % 3;
+    const Vec3& p = *line.from;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (triangle.d[i][axis] == 0 && triangle.d[j][axis] == 0 && triangle.v[i][axis] == p[axis] &&
+            triangle.v[j][axis] == p[axis] && (*line.to)[axis] == p[axis]) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// The sign at t of the polynomial whose coefficients `generate(zero)` gives in the number type of its argument.
 template <class Generate>
 Sign sign_at(const Displacement& t, const Generate& generate) {
