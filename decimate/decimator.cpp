@@ -31,7 +31,8 @@ std::array<Vec3, 3> from_corner(const Triangle& corners, const std::array<Vec3, 
 
 ValidatorOptions validator_options(const DecimateOptions& options) {
     return {options.unique_among_fold_free ? Uniqueness::fold_free : Uniqueness::in_range,
-            options.directions == Directions::face, options.orientation_test, options.max_displacement};
+            options.directions == Directions::face, options.boundary == Boundary::trim, options.orientation_test,
+            options.max_displacement};
 }
 
 } // namespace

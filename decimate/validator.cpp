@@ -103,7 +103,11 @@ Verdict Validator::judge(const Patch& patch) {
     if (verdict == Verdict::accepted) {
         verdict = test_alternatives();
     }
-    return verdict == Verdict::accepted ? test_faces_beside() : verdict;
+    if (verdict == Verdict::accepted) {
+        verdict = test_faces_beside();
+    }
+    const bool has_free_border = options_.trimmed && !options_.constant_directions;
+    return verdict == Verdict::accepted && has_free_border ? test_borders() : verdict;
 }
 
 Verdict Validator::ask_witness() {
@@ -544,18 +548,20 @@ Verdict Validator::test_kept_corners(const ScanTriangle& q, const std::array<Cor
     return Verdict::accepted;
 }
 
+/// Where the scan edge between two corners starts at the one.
+TraceEnd Validator::trace_end(const Corner& at, const Corner& other) const {
+    const int cell = at.order != nullptr ? at.order->start_cell(other.scan_vertex) : at.cell;
+    return {&scan_->positions[at.scan_vertex], cell, point_in(cell, at)};
+}
+
 Verdict Validator::trace(const Corner& a, const Corner& b) {
     if (a.order != nullptr && a.order->is_base_edge(b.scan_vertex)) {
         return Verdict::accepted;
     }
-    const auto end = [&](const Corner& at, const Corner& other) {
-        const int cell = at.order != nullptr ? at.order->start_cell(other.scan_vertex) : at.cell;
-        return TraceEnd{&scan_->positions[at.scan_vertex], cell, point_in(cell, at)};
-    };
     const Corner& low = a.scan_vertex < b.scan_vertex ? a : b;
     const Corner& high = a.scan_vertex < b.scan_vertex ? b : a;
     const auto follow = [&](std::vector<TraceCrossing>& out) {
-        return trace_edge(surface_, end(low, high), end(high, low), out);
+        return trace_edge(surface_, trace_end(low, high), trace_end(high, low), out);
     };
     return traces_.trace(low.scan_vertex, high.scan_vertex, follow, crossings_);
 }
@@ -747,6 +753,63 @@ Verdict Validator::test_vertices_of(int outer) const {
         }
     }
     return Verdict::accepted;
+}
+
+Verdict Validator::test_borders() {
+    border_arcs_.clear();
+    for (const std::int32_t f : scan_faces_) {
+        const Triangle& face = scan_->faces[f];
+        for (int k = 0; k < 3; ++k) {
+            const std::int32_t next = face[(k + 1) % 3];
+            if (topology_->border_successor(face[k]) != next) {
+                continue;
+            }
+            // In the direction in which trace() follows it.
+            const Verdict verdict = add_border_edge({f, {std::min(face[k], next), std::max(face[k], next)}});
+            if (verdict != Verdict::accepted) {
+                return verdict;
+            }
+        }
+    }
+    return border_arcs_.test(surface_);
+}
+
+Verdict Validator::add_border_edge(const BorderEdge& edge) {
+    for (std::size_t n = orders_.size(); n < orders_used_ + 2; ++n) {
+        orders_.emplace_back(); // pointers to orders stay valid
+    }
+    std::array<Corner, 2> ends{};
+    for (int i = 0; i < 2; ++i) {
+        const Verdict found = corner(edge.ends[i], ends[i]);
+        if (found != Verdict::accepted) {
+            return found;
+        }
+    }
+    if (ends[0].order != nullptr && ends[0].order->is_base_edge(edge.ends[1])) {
+        add_base_edge(edge, ends[0], ends[1]);
+        return Verdict::accepted;
+    }
+    crossings_.clear();
+    const Verdict verdict = trace(ends[0], ends[1]);
+    if (verdict == Verdict::accepted) {
+        border_arcs_.add(surface_, edge, trace_end(ends[0], ends[1]), trace_end(ends[1], ends[0]), crossings_);
+    }
+    return verdict;
+}
+
+/// An edge that represents itself, on the cells on both of its sides.
+void Validator::add_base_edge(const BorderEdge& edge, const Corner& from, const Corner& to) {
+    const ScanLine line{&scan_->positions[from.scan_vertex], &scan_->positions[to.scan_vertex]};
+    for (const int cell : from.order->fan().cells) {
+        const int b = surface_.corner_of(cell, to.order->vertex());
+        if (b >= 0 && !surface_.cell(cell).impassable) {
+            const int a = surface_.corner_of(cell, from.order->vertex());
+            border_arcs_.add(
+                surface_, edge,
+                {cell, {{Displacement(), walls_at_corner(a)}, true}, {{Displacement(), walls_at_corner(b)}, true}},
+                line);
+        }
+    }
 }
 
 } // namespace foldless

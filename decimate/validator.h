@@ -2,6 +2,7 @@
 /// The guard: may a patch take the place of the faces that go?
 #pragma once
 
+#include <foldless/decimate/border_arcs.h>
 #include <foldless/decimate/cell_places.h>
 #include <foldless/decimate/direction_cone.h>
 #include <foldless/decimate/edge_trace.h>
@@ -25,6 +26,7 @@ namespace foldless {
 struct ValidatorOptions {
     Uniqueness uniqueness = Uniqueness::in_range;
     bool constant_directions = false;       ///< each face is displaced along its own normal
+    bool trimmed = false;                   ///< the scan's border need not be the base mesh's
     bool orientation = false;               ///< the test of Maggiordomo et al. 2023, section 5.2, besides
     std::optional<double> max_displacement; ///< bound on |t| |d| over whole faces, model units
 };
@@ -53,9 +55,9 @@ struct Trial {
 /// Accepted means: every scan vertex on the patch has exactly one place within the ranges of the new faces (V, unique
 /// mapping), N.n > 0 there for every scan face around it, every scan edge can be followed across the walls (E) with
 /// N.n > 0 at the crossings (X), the pillars inside scan triangles fit (P), the scan goes round once at kept vertices
-/// (K), and J > 0 on every new prismoid over its range (C0); if asked for, every scan triangle keeps its orientation.
-/// All of it on the values as stored, decided exactly, or refused. (Collins & Hilton 2002, section 5; Maggiordomo et
-/// al. 2023, section 5.2; docs/algorithm.md)
+/// (K), J > 0 on every new prismoid over its range (C0), and the images of a trimmed border do not meet on the patch
+/// (T1); if asked for, every scan triangle keeps its orientation. All of it on the values as stored, decided exactly,
+/// or refused. (Collins & Hilton 2002, section 5; Maggiordomo et al. 2023, section 5.2; docs/algorithm.md)
 class Validator {
 public:
     Validator(const BaseSurface& base, const Scan& scan, const ScanTopology& topology, const ValidatorOptions& options);
@@ -103,6 +105,10 @@ private:
     [[nodiscard]] Verdict test_spanning(const ScanTriangle& q, const std::array<Corner, 3>& corners,
                                         const ScanNormal& normal);
     [[nodiscard]] Verdict trace(const Corner& a, const Corner& b);
+    [[nodiscard]] TraceEnd trace_end(const Corner& at, const Corner& other) const;
+    [[nodiscard]] Verdict test_borders();
+    [[nodiscard]] Verdict add_border_edge(const BorderEdge& edge);
+    void add_base_edge(const BorderEdge& edge, const Corner& from, const Corner& to);
     [[nodiscard]] Verdict test_kept_corners(const ScanTriangle& q, const std::array<Corner, 3>& corners,
                                             const ScanNormal& normal) const;
     [[nodiscard]] Verdict test_crossings(const ScanTriangle& q, const ScanNormal& normal) const;
@@ -137,6 +143,7 @@ private:
     PointLocation location_;
     PillarFlood flood_;
     TraceCache traces_;
+    BorderArcs border_arcs_;
     Trial trial_;
     std::vector<Range> hulls_; ///< of the displacements met so far, per new face
 

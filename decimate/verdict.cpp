@@ -18,6 +18,7 @@ std::string_view name(Verdict verdict) {
     case Verdict::normal_condition: return "normal_condition";
     case Verdict::orientation: return "orientation";
     case Verdict::out_of_range: return "out_of_range";
+    case Verdict::overlap: return "overlap";
     case Verdict::max_displacement: return "max_displacement";
     case Verdict::tie: return "tie";
     case Verdict::undecided: return "undecided";

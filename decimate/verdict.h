@@ -24,6 +24,7 @@ enum class Verdict {
     normal_condition,  ///< N.n > 0 fails
     orientation,       ///< the image of a scan triangle is turned over
     out_of_range,      ///< a displacement leaves the range of a face that stays
+    overlap,           ///< images of a trimmed border meet, or come too close to tell
     max_displacement,  ///< a displacement is longer than the user allows
     tie,               ///< exactly on a border between two answers that no rule orders
     undecided,         ///< rounding hides the answer

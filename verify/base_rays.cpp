@@ -163,7 +163,8 @@ double BaseRays::check_face(std::int32_t face, Findings& findings) const {
     for (int i = 0; i < side * side; ++i) {
         const FaceRays::Answer answer = rays.cast(stratified_point(static_cast<std::uint64_t>(face), side, i));
         uncovered += answer.sheets == 0 ? 1 : 0;
-        if (answer.sheets > 1 || answer.from_behind || (answer.sheets == 0 && options_.covers_all)) {
+        const bool is_wrong = answer.sheets > 1 || answer.from_behind || (answer.sheets == 0 && options_.covers_all);
+        if (options_.judges && is_wrong) {
             findings.add({.violation = Violation::base_ray,
                           .scan_face = answer.scan_face,
                           .base_face = face,

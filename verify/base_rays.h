@@ -13,14 +13,17 @@ namespace foldless::verification {
 struct RayOptions {
     int rays_per_face = 64; ///< at least so many; the next square is taken
     bool covers_all = true; ///< the border is locked or absent, so that every base point belongs to a scan point
+    bool judges = true;     ///< false: what the rays meet is proven otherwise, and only the share is wanted
 };
 
-/// A sample, where no proof is: with a trimmed border, or with constant face directions.
+/// A sample: of the share that a trimmed scan does not cover; and of everything where no proof is, with constant face
+/// directions.
 ///
 /// Casts the rays X + t d(alpha), t in the face's range, from points X spread over every moving base face. A ray meets
 /// the scan face that it hits where the place of the hit point is in the base face; another sheet of the scan that it
 /// passes within the range belongs elsewhere. Every ray must meet the scan, if the base mesh is to be covered, and none
-/// may meet it from behind or at two displacements: `base_ray`.
+/// may meet it from behind or at two displacements: `base_ray`. That is stricter than the truth: a sheet that belongs
+/// to a face further away may pass within the range.
 class BaseRays {
 public:
     BaseRays(const Correspondents& all, const Meetings& meetings, const RayOptions& options)

@@ -20,6 +20,7 @@ Degree::Degree(const BaseFaces& base, const Meshes& meshes)
             counted_as_[vertex] = static_cast<std::int32_t>(components_.size());
             components_.push_back({vertex});
         }
+        component_.push_back(counted_as_[vertex]);
         Component& component = components_[counted_as_[vertex]];
         const auto face = static_cast<std::int32_t>(f);
         const bool has_border = base.adjacency().neighbour(face, 0) < 0 || base.adjacency().neighbour(face, 1) < 0 ||
@@ -41,6 +42,10 @@ void Degree::count(const std::vector<std::int32_t>& inside) {
             counts_[counted_as_[vertex]].fetch_add(1, std::memory_order_relaxed);
         }
     }
+}
+
+void Degree::settle(std::int32_t face) {
+    components_[component_[face]].is_settled = true;
 }
 
 void Degree::check(const Association& association, Findings& findings) const {

@@ -25,6 +25,9 @@ public:
     /// Counts the base vertices inside one scan triangle; from any thread.
     void count(const std::vector<std::int32_t>& inside);
 
+    /// The number of times that the component of a base face is covered is decided otherwise.
+    void settle(std::int32_t face);
+
     /// `degree` for every component that is not covered exactly once.
     void check(const Association& association, Findings& findings) const;
 
@@ -34,6 +37,7 @@ private:
         bool is_settled = false;
     };
     const BaseFaces* base_;
+    std::vector<std::int32_t> component_;  ///< per base face
     std::vector<std::int32_t> counted_as_; ///< per base vertex: the component that is counted there, or -1
     std::vector<Component> components_;
     std::unique_ptr<std::atomic<std::int32_t>[]> counts_;

@@ -2,6 +2,7 @@
 
 #include <foldless/verify/base_checks.h>
 #include <foldless/verify/base_rays.h>
+#include <foldless/verify/border_curves.h>
 #include <foldless/verify/face_checks.h>
 #include <foldless/verify/interior_samples.h>
 #include <foldless/verify/needed_ranges.h>
@@ -80,23 +81,27 @@ VerifyResult verify(const BaseMesh& base, const Scan& scan, const VerifyOptions&
     const Association association = Associator(faces, meshes).associate(stages, share_of_places, findings);
     const Correspondents all{faces, scan, association};
     Degree degree(faces, meshes);
-    const bool is_proof = locked && !faces.constant_directions();
+    const bool is_proof = !faces.constant_directions();
+    const bool has_rays = !is_proof || !locked;
     const Meetings meetings = FaceChecks(all, scan_adjacency, degree, findings)
-                                  .check(stages, is_proof ? share_of_faces + share_of_rays : share_of_faces);
-    double uncovered = 0.0;
-    if (!faces.constant_directions()) {
+                                  .check(stages, has_rays ? share_of_faces : share_of_faces + share_of_rays);
+    if (is_proof && !locked) {
+        const BorderCurves curves(all, meshes);
+        curves.check(meetings, stages, 0.0, findings);
+        curves.settle(degree);
+    }
+    if (is_proof) {
+        result.level = Level::surface;
         degree.check(association, findings);
     } else {
         check_interior_samples(all, options.samples_per_face, stages, findings);
     }
-    if (is_proof) {
-        result.level = Level::surface;
-    } else {
-        const BaseRays rays(all, meetings, {options.rays_per_face, locked});
-        uncovered = rays.check(stages, share_of_rays, findings);
+    if (has_rays) {
+        const BaseRays rays(all, meetings, {options.rays_per_face, locked, !is_proof});
+        const double uncovered = rays.check(stages, share_of_rays, findings);
+        result.uncovered_fraction = locked ? 0.0 : uncovered;
     }
 
-    result.uncovered_fraction = locked ? 0.0 : uncovered;
     result.cancelled = stages.cancelled();
     result.signs = stages.signs();
     findings.write(result);

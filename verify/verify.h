@@ -30,9 +30,10 @@ enum class Violation {
     base_ray,          ///< the ray from a base point does not meet the scan front-facing within the range
     pillar,            ///< the base vertices inside a scan triangle do not fit the walls that its border crosses
     degree,            ///< a component of the base mesh is covered twice, or not at all
+    overlap,           ///< images of trimmed borders meet, or lie over the scan, or rounding hides that they do not
 };
 
-inline constexpr std::size_t violation_count = static_cast<std::size_t>(Violation::degree) + 1;
+inline constexpr std::size_t violation_count = static_cast<std::size_t>(Violation::overlap) + 1;
 
 /// What a verification without violations proves. (docs/certificate.md)
 enum class Level {
@@ -65,8 +66,8 @@ struct VerifyOptions {
 
 struct VerifyResult {
     bool cancelled = false;
-    Level level = Level::vertices; ///< of what was asked: surface with vertex directions and a locked border or none
-    SignCounts signs;              ///< how they were decided
+    Level level = Level::vertices;                         ///< of what was asked: surface with vertex directions
+    SignCounts signs;                                      ///< how they were decided
     std::array<std::size_t, violation_count> violations{}; ///< counts, indexed by Violation
     std::vector<LocatedViolation> located;                 ///< the first ones of each kind, a few, in a fixed order
     std::size_t ambiguous_vertices = 0; ///< scan vertices that non-adjacent faces reach too within their ranges
@@ -83,7 +84,7 @@ struct VerifyResult {
 
 /// Re-derives everything from nothing: topology, the place of every scan vertex, the lift of every scan edge, what is
 /// inside every scan triangle, and how often the base mesh is covered; all of it exactly (theorems B and C of
-/// docs/certificate.md). With a trimmed border, or with constant face directions, samples stand for what is not proven.
+/// docs/certificate.md). With constant face directions samples stand for what is not proven.
 ///
 /// \throws RefusedMesh if either mesh has a defect (see io/defects.h) or the base mesh has no directions.
 /// Expected time O((F + f) log f) for F scan and f base faces.

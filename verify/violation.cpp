@@ -19,6 +19,7 @@ std::string_view name(Violation violation) {
     case Violation::base_ray: return "base_ray";
     case Violation::pillar: return "pillar";
     case Violation::degree: return "degree";
+    case Violation::overlap: return "overlap";
     }
     return "unknown";
 }

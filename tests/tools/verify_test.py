@@ -9,7 +9,7 @@ from program import ProgramTest, limit
 
 VIOLATIONS = set(
     "topology kept_vertex border jacobian no_preimage several_preimages normal_condition orientation trace "
-    "interior_sample base_ray pillar degree".split()
+    "interior_sample base_ray pillar degree overlap".split()
 )
 BASE_VERTEX_BYTES = struct.calcsize("<6fi")
 
