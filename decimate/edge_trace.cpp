@@ -37,7 +37,7 @@ Verdict trace_edge(PatchedSurface& surface, const TraceEnd& a, const TraceEnd& b
         }
         const std::array<std::int32_t, 2> edge{cell.corners[(passage.wall + 1) % 3],
                                                cell.corners[(passage.wall + 2) % 3]};
-        crossings.push_back({here.cell, passage.wall, next, edge, passage.t});
+        crossings.push_back({here.cell, passage.wall, next, edge, passage.t, line});
         // The next cell runs along the edge from edge[1] to edge[0].
         const int entered_by = (surface.corner_of(next, edge[0]) + 1) % 3;
         here = {a.point, next, {passage.t, wall_bit(entered_by)}};

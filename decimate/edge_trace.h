@@ -27,6 +27,7 @@ struct TraceCrossing {
     int to;                           ///< the cell that is entered
     std::array<std::int32_t, 2> edge; ///< base vertices of the wall
     Displacement t;
+    ScanLine line; ///< the edge
 };
 
 /// Whether an edge along e whose ends lie in the cell, at displacements within the range, certainly stays in it: every

@@ -104,6 +104,9 @@ Verdict Validator::judge(const Patch& patch) {
         verdict = test_alternatives();
     }
     if (verdict == Verdict::accepted) {
+        verdict = test_frozen_walls();
+    }
+    if (verdict == Verdict::accepted) {
         verdict = test_faces_beside();
     }
     const bool has_free_border = options_.trimmed && !options_.constant_directions;
@@ -287,7 +290,7 @@ Verdict Validator::corner(std::int32_t scan_vertex, Corner& out) {
     // A corner on the rim of the patch was with the outer cell; now the new one is the lower.
     out.lift = in_lower_cell(surface_, *lift);
     out.cell = out.lift.cell;
-    return Verdict::accepted;
+    return lift->walls == 0 ? Verdict::accepted : reach(out.cell, point_in(out.cell, out).t);
 }
 
 /// Where a corner lies in a cell that holds it.
@@ -417,13 +420,11 @@ Verdict Validator::test_inside(std::int32_t scan_face, const std::array<std::int
     if (!options_.orientation) {
         return Verdict::accepted;
     }
-    BarycentricTriangle alpha;
-    std::array<double, 3> error{};
+    std::array<Corner, 3> corners{};
     for (int k = 0; k < 3; ++k) {
-        alpha[k] = lifts_[moved[k]].at.alpha;
-        error[k] = lifts_[moved[k]].at.alpha_error;
+        corners[k] = {scan_->faces[scan_face][k], cell, nullptr, lifts_[moved[k]]};
     }
-    return verdict_of(scan_orientation(alpha, error), Verdict::orientation);
+    return test_orientation(cell, corners);
 }
 
 Verdict Validator::test_faces() {
@@ -508,7 +509,16 @@ Verdict Validator::test_orientation(int cell, const std::array<Corner, 3>& corne
         alpha[k] = corner < 0 ? corners[k].lift.at.alpha : Vec3(Vec3::Unit(corner));
         error[k] = corner < 0 ? corners[k].lift.at.alpha_error : 0.0;
     }
-    return verdict_of(scan_orientation(alpha, error), Verdict::orientation);
+    Sign sign = scan_orientation(alpha, error);
+    if (sign == Sign::undecided) {
+        sign = scan_orientation(surface_.cell(cell).triangle, {displaced(cell, corners[0]), displaced(cell, corners[1]),
+                                                               displaced(cell, corners[2])});
+    }
+    return verdict_of(sign, Verdict::orientation);
+}
+
+DisplacedPoint Validator::displaced(int cell, const Corner& corner) const {
+    return {scan_->positions[corner.scan_vertex], point_in(cell, corner).t};
 }
 
 Verdict Validator::test_constant(std::int32_t scan_face, const std::array<Corner, 3>& corners,
@@ -584,7 +594,8 @@ Verdict Validator::test_crossings(const ScanTriangle& q, const ScanNormal& norma
         if (seen_by_all && std::min(crossing.from, crossing.to) < surface_.new_cells()) {
             continue;
         }
-        const Sign sign = normal_condition_at_wall(surface_.cell(crossing.from).triangle, crossing.wall, crossing.t, q);
+        const Sign sign = normal_condition_at_wall(surface_.cell(crossing.from).triangle,
+                                                   {crossing.wall, crossing.t, crossing.line}, q);
         const Verdict verdict = verdict_of(sign, Verdict::normal_condition);
         if (verdict != Verdict::accepted) {
             return verdict;
@@ -686,6 +697,43 @@ Verdict Validator::test_alternatives() const {
         const Range range = surface_.cell(lift.cell).range;
         if (lift.at.t + lift.at.t_error >= range.lo && lift.at.t - lift.at.t_error <= range.hi) {
             return Verdict::several_preimages;
+        }
+    }
+    return Verdict::accepted;
+}
+
+/// A scan vertex beside the patch may lie on the rim, but not where the new face there is a scan face now: the wall of
+/// a frozen face has one side.
+Verdict Validator::test_frozen_walls() {
+    for (int c = 0; c < surface_.new_cells(); ++c) {
+        for (int k = 0; k < 3 && trial_.faces[c].is_scan_face; ++k) {
+            const int outer = surface_.neighbour(c, k);
+            if (outer < surface_.new_cells() || surface_.cell(outer).impassable) {
+                continue;
+            }
+            const int corner = surface_.corner_of(outer, surface_.cell(c).corners[(k + 1) % 3]);
+            const Verdict verdict = test_wall(outer, (corner + 1) % 3);
+            if (verdict != Verdict::accepted) {
+                return verdict;
+            }
+        }
+    }
+    return Verdict::accepted;
+}
+
+Verdict Validator::test_wall(int outer, int k) const {
+    constexpr double near = 1e-6; // far above the rounding of places
+    const BaseTriangle& triangle = surface_.cell(outer).triangle;
+    for (std::int32_t v = base_->face(surface_.cell(outer).face).first_vertex; v >= 0; v = base_->next_on_face(v)) {
+        const Place& place = base_->place(v);
+        if (place.alpha[k] > near) {
+            continue;
+        }
+        const Vec3& q = scan_->positions[v];
+        const std::optional<Enclosure> at = enclose(triangle, q, place.alpha, place.t);
+        const std::optional<Lift> lift = at ? lift_of(outer, triangle, q, *at) : std::nullopt;
+        if (!lift || (lift->walls & wall_bit(k)) != 0) {
+            return lift ? Verdict::tie : Verdict::undecided;
         }
     }
     return Verdict::accepted;

@@ -15,6 +15,7 @@
 #include <foldless/decimate/trace_cache.h>
 #include <foldless/decimate/verdict.h>
 #include <foldless/predicates/scan_normal.h>
+#include <foldless/predicates/scan_orientation.h>
 
 #include <cstdint>
 #include <optional>
@@ -101,6 +102,7 @@ private:
     [[nodiscard]] Verdict test_constant(std::int32_t scan_face, const std::array<Corner, 3>& corners,
                                         const ScanNormal& normal);
     [[nodiscard]] Verdict test_orientation(int cell, const std::array<Corner, 3>& corners) const;
+    [[nodiscard]] DisplacedPoint displaced(int cell, const Corner& corner) const;
     [[nodiscard]] Verdict record(std::int32_t scan_face, const ScanTriangle& q, const std::array<Corner, 3>& corners);
     [[nodiscard]] Verdict test_spanning(const ScanTriangle& q, const std::array<Corner, 3>& corners,
                                         const ScanNormal& normal);
@@ -116,6 +118,8 @@ private:
     [[nodiscard]] Verdict close_ranges();
     [[nodiscard]] Verdict test_alternatives() const;
     [[nodiscard]] Verdict test_faces_beside();
+    [[nodiscard]] Verdict test_frozen_walls();
+    [[nodiscard]] Verdict test_wall(int outer, int k) const;
     [[nodiscard]] Verdict test_places_in(int outer);
     [[nodiscard]] Verdict test_vertices_of(int outer) const;
     [[nodiscard]] Verdict corner(std::int32_t scan_vertex, Corner& out);

@@ -101,6 +101,52 @@ Roots filtered_roots(const BaseTriangle& triangle, const Vec3& q, Range range, c
     return {};
 }
 
+/// alpha_i m_i + alpha_j m_j where the line meets the wall: also where the wall's line lies in the plane of the
+/// triangle, and that plane does not tell where.
+Sign normal_condition_on_line(const BaseTriangle& triangle, const WallPoint& point, const ScanTriangle& scan_triangle) {
+    const int k = point.wall;
+    const auto m_of = [&](const auto& zero, int corner) {
+        using Number = std::decay_t<decltype(zero)>;
+        return dot(exactly<Number>(triangle.d[corner]), normal_of<Number>(scan_triangle));
+    };
+    const Sign w =
+        sign_at(point.t, [&](const auto& zero) { return rise<std::decay_t<decltype(zero)>>(triangle, point.line); });
+    if (w != Sign::zero) { // alpha = side / w
+        const Sign sum = sign_at(point.t, [&](const auto& zero) {
+            using Number = std::decay_t<decltype(zero)>;
+            Coefficients<Number, 3> result{Number(0), Number(0), Number(0)};
+            for (const int corner : {(k + 1) % 3, (k + 2) % 3}) {
+                const Coefficients<Number, 3> alpha = side<Number>(triangle, corner, point.line);
+                const Number m = m_of(zero, corner);
+                for (std::size_t n = 0; n < 3; ++n) {
+                    result[n] = result[n] + m * alpha[n];
+                }
+            }
+            return result;
+        });
+        return w == Sign::positive ? sum : -sum;
+    }
+    // In the slice alpha is linear between both ends, and alpha_k falls from a >= 0 to b < 0: alpha (a - b) = a
+    // alpha(to)
+    // - b alpha(from).
+    return sign_at(point.t, [&](const auto& zero) {
+        using Number = std::decay_t<decltype(zero)>;
+        const VectorOf<Number> c = exactly<Number>(triangle.d[0]);
+        const Coefficients<Number, 3> a = side<Number>(triangle, k, *point.line.from, c);
+        const Coefficients<Number, 3> b = side<Number>(triangle, k, *point.line.to, c);
+        Coefficients<Number, 5> result{Number(0), Number(0), Number(0), Number(0), Number(0)};
+        for (const int corner : {(k + 1) % 3, (k + 2) % 3}) {
+            const Coefficients<Number, 3> from = side<Number>(triangle, corner, *point.line.from, c);
+            const Coefficients<Number, 3> to = side<Number>(triangle, corner, *point.line.to, c);
+            const Number m = m_of(zero, corner);
+            for (std::size_t n = 0; n < 9; ++n) {
+                result[n / 3 + n % 3] = result[n / 3 + n % 3] + m * (a[n / 3] * to[n % 3] - b[n / 3] * from[n % 3]);
+            }
+        }
+        return result;
+    });
+}
+
 } // namespace
 
 PointFinder::PointFinder(const BaseTriangle& triangle, Range range)
@@ -186,10 +232,9 @@ Sign normal_condition_at(const BaseTriangle& triangle, const Vec3& q, const Disp
     });
 }
 
-Sign normal_condition_at_wall(const BaseTriangle& triangle, int k, const Displacement& t,
-                              const ScanTriangle& scan_triangle) {
-    const int i = (k + 1) % 3;
-    const int j = (k + 2) % 3;
+Sign normal_condition_at_wall(const BaseTriangle& triangle, const WallPoint& point, const ScanTriangle& scan_triangle) {
+    const int i = (point.wall + 1) % 3;
+    const int j = (point.wall + 2) % 3;
     // Exactly, so that filters do not matter where the wall's line lies in the plane.
     const auto sees = [&](int corner) { return seen_along(triangle.d[corner], scan_triangle) == Sign::positive; };
     if (sees(i) && sees(j)) {
@@ -197,7 +242,7 @@ Sign normal_condition_at_wall(const BaseTriangle& triangle, int k, const Displac
     }
     // On the line of the plane with the wall, m = (l_i m_j - l_j m_i) / ((l_i - l_j) + t (m_i - m_j)). The product has
     // the sign of the quotient.
-    return sign_at(t, [&](const auto& zero) {
+    const Sign sign = sign_at(point.t, [&](const auto& zero) {
         using Number = std::decay_t<decltype(zero)>;
         const VectorOf<Number> q0 = exactly<Number>(scan_triangle[0]);
         const VectorOf<Number> n = normal_of<Number>(scan_triangle);
@@ -208,6 +253,7 @@ Sign normal_condition_at_wall(const BaseTriangle& triangle, int k, const Displac
         const Number above = l_i * m_j - l_j * m_i;
         return Coefficients<Number, 2>{above * (l_i - l_j), above * (m_i - m_j)};
     });
+    return sign == Sign::zero ? normal_condition_on_line(triangle, point, scan_triangle) : sign;
 }
 
 RoundedPlace rounded_place(const BaseTriangle& triangle, const Vec3& q, const Displacement& t) {

@@ -54,10 +54,15 @@ private:
 [[nodiscard]] Sign normal_condition_at(const BaseTriangle& triangle, const Vec3& q, const Displacement& t,
                                        const ScanTriangle& scan_triangle);
 
-/// The same where the line crosses the wall opposite corner k at t. Where the wall's line lies in the plane of the scan
-/// triangle, it is positive if both directions of the wall see that, else zero. \pre the line is an edge of the scan
-/// triangle; 0 <= lambda <= 1 on the wall
-[[nodiscard]] Sign normal_condition_at_wall(const BaseTriangle& triangle, int k, const Displacement& t,
+/// Where a line meets a wall.
+struct WallPoint {
+    int wall; ///< opposite this corner
+    Displacement t;
+    ScanLine line; ///< refers to its points
+};
+
+/// The same where an edge of the scan triangle meets a wall. Exact. \pre 0 <= lambda <= 1 on the wall
+[[nodiscard]] Sign normal_condition_at_wall(const BaseTriangle& triangle, const WallPoint& point,
                                             const ScanTriangle& scan_triangle);
 
 /// The place of a point as doubles, for the record: alpha and t are those of the exact place up to rounding.

@@ -2,6 +2,7 @@
 /// Which way round the image of a scan triangle lies in a base triangle.
 #pragma once
 
+#include <foldless/predicates/displacement.h>
 #include <foldless/predicates/sign.h>
 #include <foldless/predicates/vector.h>
 
@@ -26,5 +27,15 @@ using BarycentricTriangle = std::array<Vec3, 3>;
 /// The same for coordinates each of which is known with the absolute error `error[corner]` (>= 0). Undecided if another
 /// sign is possible within the errors. Never zero unless the errors are.
 [[nodiscard]] Sign scan_orientation(const BarycentricTriangle& alpha, const std::array<double, 3>& error);
+
+/// A point of a prismoid, known by its displacement; a corner of the triangle is v_i with t = 0.
+struct DisplacedPoint {
+    Vec3 q;
+    Displacement t;
+};
+
+/// The same for points with these displacements, which are roots of three different cubics: they are halved up to 256
+/// times, and what is undecided then stays so. Zero only if all three are rational. \pre J > 0 at the displacements
+[[nodiscard]] Sign scan_orientation(const BaseTriangle& triangle, const std::array<DisplacedPoint, 3>& points);
 
 } // namespace foldless

@@ -28,7 +28,7 @@ std::optional<std::vector<WallCrossing>> trace(const BaseFaces& base, const Scan
             within(passage.t, base.face(next).range) == Sign::negative) {
             return std::nullopt;
         }
-        crossings.push_back({here.face, passage.wall, next, passage.t});
+        crossings.push_back({here.face, passage.wall, next, passage.t, line});
         here = {next, {passage.t, wall_bit(wall_across(base, here.face, passage.wall))}};
     }
     return std::nullopt;

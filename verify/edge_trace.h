@@ -18,6 +18,7 @@ struct WallCrossing {
     int wall;          ///< through its wall opposite this corner
     std::int32_t next_face;
     Displacement t;
+    ScanLine line;
 };
 
 /// A point of a moving face.

@@ -93,8 +93,8 @@ void FaceChecks::check_image(std::int32_t face) {
         }
     }
     for (const WallCrossing& crossing : image.crossings) {
-        const Sign sign =
-            normal_condition_at_wall(all_.base.face(crossing.face).triangle, crossing.wall, crossing.t, triangle);
+        const Sign sign = normal_condition_at_wall(all_.base.face(crossing.face).triangle,
+                                                   {crossing.wall, crossing.t, crossing.line}, triangle);
         if (sign != Sign::positive) {
             add(face, Violation::normal_condition, crossing.face, position_of(all_.base, crossing));
         }

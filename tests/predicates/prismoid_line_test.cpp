@@ -109,9 +109,10 @@ Step checked_step(const Prismoid& prismoid, const Vec3& p, const Vec3& q, const 
         const ScanTriangle scan{p, q, p + Vec3(q[1] - p[1] + 0.25, p[0] - q[0] - 0.125, 0.0625)};
         const Sign expected =
             as_sign(oracle::normal_condition_at_wall(prismoid.triangle, passage.wall, p, q, exit->t, scan));
-        EXPECT_EQ(normal_condition_at_wall(prismoid.triangle, passage.wall, passage.t, scan), expected);
+        const WallPoint at{passage.wall, passage.t, line};
+        EXPECT_EQ(normal_condition_at_wall(prismoid.triangle, at, scan), expected);
         const WithoutFilters exactly;
-        EXPECT_EQ(normal_condition_at_wall(prismoid.triangle, passage.wall, passage.t, scan), expected);
+        EXPECT_EQ(normal_condition_at_wall(prismoid.triangle, at, scan), expected);
     }
     return {passage, exit};
 }

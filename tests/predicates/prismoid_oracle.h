@@ -557,21 +557,11 @@ inline std::optional<Exit> exit_of(const BaseTriangle& triangle, Range range, co
     return std::nullopt;
 }
 
-/// The sign of m where the line meets the wall opposite corner k at t; zero if both of its corners are in the plane,
-/// but for directions that both see it.
+/// The sign of m where the line meets the wall opposite corner k at t.
 inline int normal_condition_at_wall(const BaseTriangle& triangle, int k, const Vec3& p, const Vec3& q, const Root& t,
                                     const ScanTriangle& scan) {
     const int i = (k + 1) % 3;
     const int j = (k + 2) % 3;
-    const auto height = [&](int corner) {
-        return interpolated(1, [&](const Rational& x) {
-            const Vector q0 = vector(scan[0]);
-            return determinant(slice(triangle, x)[corner] - q0, vector(scan[1]) - q0, vector(scan[2]) - q0);
-        });
-    };
-    if (sign_at(t, height(i)) == 0 && sign_at(t, height(j)) == 0) {
-        return seen(triangle.d[i], scan) > 0 && seen(triangle.d[j], scan) > 0 ? 1 : 0;
-    }
     const Lift lift(triangle, p, q);
     const int denominator = sign_at(t, lift.denominator);
     if (denominator != 0) {

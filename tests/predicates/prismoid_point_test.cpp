@@ -228,12 +228,27 @@ TEST(NormalConditionAtWall, IsPositiveInTheSliceIfBothDirectionsSeeTheTriangle) 
                           {Vec3(0, 0, 1), Vec3(0, 0, 1), Vec3(0.5, 0.5, 1)}};
     const ScanTriangle scan{Vec3(0.25, 0.25, 0), Vec3(0.25, -0.5, 0), Vec3(0.5, 0.25, 0)};
     const ScanTriangle behind{scan[0], scan[2], scan[1]};
+    const WallPoint point{2, Displacement(0.0), {&scan[0], &scan[1]}};
     for (const bool filters : {true, false}) {
         set_filters_enabled(filters);
-        EXPECT_EQ(normal_condition_at_wall(triangle, 2, Displacement(0.0), scan), Sign::positive);
-        EXPECT_EQ(normal_condition_at_wall(triangle, 2, Displacement(0.0), behind), Sign::zero);
+        EXPECT_EQ(normal_condition_at_wall(triangle, point, scan), Sign::positive);
+        EXPECT_EQ(normal_condition_at_wall(triangle, point, behind), Sign::negative);
     }
     set_filters_enabled(true);
+}
+
+// The plane y = z of the scan triangle holds the wall's line in the slice t = 0. From (0, 0, 0) to (1, 0, 0) m falls
+// from positive to negative: the place on the line decides.
+TEST(NormalConditionAtWall, IsThatOfThePlaceWhereThePlaneHoldsTheLineOfTheWall) {
+    const BaseTriangle triangle{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},
+                                {Vec3(0, 0, 1), Vec3(0, 2, 1), Vec3(0, 0, 1)}};
+    for (const double x : {0.25, 0.5, 0.75}) {
+        const Vec3 p(x, 0.25, 0.25);
+        const Vec3 q(x, -0.25, -0.25);
+        const ScanTriangle scan{p, q, Vec3(1, 0, 0)};
+        const Sign expected = x < 0.5 ? Sign::positive : x > 0.5 ? Sign::negative : Sign::zero;
+        EXPECT_EQ(normal_condition_at_wall(triangle, {2, Displacement(0.0), {&p, &q}}, scan), expected) << x;
+    }
 }
 
 // Filters carry the work: no exact number is needed for points in general position.

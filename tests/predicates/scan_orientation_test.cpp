@@ -1,6 +1,7 @@
 #include "random_triangles.h"
 
 #include <foldless/predicates/inverse_displacement.h>
+#include <foldless/predicates/prismoid_point.h>
 #include <foldless/predicates/scan_orientation.h>
 
 #include <gtest/gtest.h>
@@ -103,6 +104,71 @@ TEST(ScanOrientation, IsNeverWrongWithinTheErrors) {
         }
     }
     EXPECT_GT(decided, 50000);
+}
+
+/// Points with displacements known within two doubles, as roots of their cubics.
+class ScanOrientationOfPoints : public testing::Test {
+protected:
+    ScanOrientationOfPoints() {
+        RandomTriangles random(77);
+        triangle_ = {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {}};
+        for (Vec3& d : triangle_.d) {
+            d = Vec3(0, 0, 1) + random.vector(0.3);
+        }
+    }
+
+    [[nodiscard]] Vec3 point(double first, double second, double t) const {
+        const Vec3 alpha = at(first, second);
+        return alpha[0] * triangle_.corner(0, t) + alpha[1] * triangle_.corner(1, t) +
+               alpha[2] * triangle_.corner(2, t);
+    }
+    [[nodiscard]] DisplacedPoint displaced(const Vec3& q) const {
+        return {q, PointFinder(triangle_, {-0.5, 0.5}).find(q).value().t};
+    }
+    [[nodiscard]] Sign orientation(const Vec3& a, const Vec3& b, const Vec3& c) const {
+        return scan_orientation(triangle_, {displaced(a), displaced(b), displaced(c)});
+    }
+
+    BaseTriangle triangle_;
+};
+
+TEST_F(ScanOrientationOfPoints, IsThatOfTheirCoordinates) {
+    const Vec3 a = point(0.25, 0.25, 0.1);
+    const Vec3 b = point(0.25, 0.5, -0.2);
+    const Vec3 c = point(0.5, 0.25, 0.3);
+    const Sign expected = scan_orientation({at(0.25, 0.25), at(0.25, 0.5), at(0.5, 0.25)});
+    EXPECT_EQ(orientation(a, b, c), expected);
+    EXPECT_EQ(orientation(b, a, c), -expected);
+    EXPECT_EQ(scan_orientation(triangle_, {DisplacedPoint{triangle_.v[0], Displacement()},
+                                           DisplacedPoint{triangle_.v[1], Displacement()}, displaced(c)}),
+              Sign::positive);
+}
+
+// Three places on a line but for the last bits of the points, which enclosures in doubles cannot tell.
+TEST_F(ScanOrientationOfPoints, IsDecidedWithinTheRoundingOfDoubles) {
+    int signs[2] = {};
+    for (int n = 0; n < 100; ++n) {
+        const Vec3 a = point(0.25, 0.25, 0.1 + 0.001 * n);
+        const Vec3 b = point(0.375, 0.3125, 0.0013 * n - 0.2);
+        const Vec3 c = point(0.5, 0.375, 0.3 - 0.0017 * n);
+        const Sign sign = orientation(a, b, c);
+        EXPECT_TRUE(sign == Sign::positive || sign == Sign::negative);
+        EXPECT_EQ(orientation(b, c, a), sign);
+        EXPECT_EQ(orientation(b, a, c), -sign);
+        ++signs[sign == Sign::positive ? 1 : 0];
+    }
+    EXPECT_GT(signs[0], 0);
+    EXPECT_GT(signs[1], 0);
+}
+
+// Irrational displacements and three places on a line: no number of halvings tells that from nearly so.
+TEST_F(ScanOrientationOfPoints, IsUndecidedIfHalvingDoesNotTell) {
+    const Vec3 a = point(0.25, 0.25, 0.1);
+    const Vec3 b = point(0.5, 0.375, 0.3);
+    EXPECT_EQ(orientation(a, b, a), Sign::undecided);
+    const DisplacedPoint corner{triangle_.v[0], Displacement()};
+    const DisplacedPoint other{triangle_.v[1], Displacement()};
+    EXPECT_EQ(scan_orientation(triangle_, {corner, other, corner}), Sign::zero);
 }
 
 } // namespace

@@ -126,6 +126,39 @@ TEST(DecimatedScans, AreCertified) {
     }
 }
 
+/// A height field on a grid, of steps as built things have: scan vertices and edges lie exactly on walls and pillars.
+Scan stepped_scan(Random& random) {
+    const int side = 4 + index(random, 7);
+    Scan scan;
+    const auto at = [&](int i, int j) { return static_cast<std::int32_t>(i * (side + 1) + j); };
+    const int wide = 1 + index(random, 3);
+    std::vector<double> heights;
+    for (int n = 0; n < 64; ++n) {
+        heights.push_back(0.125 * index(random, 3));
+    }
+    for (int i = 0; i <= side; ++i) {
+        for (int j = 0; j <= side; ++j) {
+            scan.positions.emplace_back(0.25 * i, 0.25 * j, heights[(i / wide * 7 + j / wide) % 64]);
+        }
+    }
+    for (int i = 0; i < side; ++i) {
+        for (int j = 0; j < side; ++j) {
+            scan.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            scan.faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    }
+    return scan;
+}
+
+TEST(DecimatedScans, OfStepsAreCertified) {
+    for (int seed = 0; seed < soak(scans); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        const Scan scan = stepped_scan(random);
+        const DecimateOptions options = random_options(random, scan);
+        EXPECT_THAT(verified(decimate(scan, options).base, scan), IsCertified()) << "seed " << seed;
+    }
+}
+
 // The oracle takes its time: a tenth of the scans. It knows no trimmed borders.
 TEST(DecimatedScans, AreRepresentedAsTheOracleSays) {
     int ties = 0;
