@@ -61,9 +61,12 @@ struct DecimateOptions {
 enum class StopReason { target_reached, every_edge_refused, time_limit, cancelled };
 
 struct DecimateStatistics {
-    std::size_t attempted = 0;         ///< edges asked
-    std::size_t accepted = 0;          ///< edges collapsed
-    VerdictCounts refused{};           ///< asked placements refused, by verdict
+    std::size_t attempted = 0; ///< edges asked
+    std::size_t accepted = 0;  ///< edges collapsed
+    VerdictCounts refused{};   ///< asked placements refused, by verdict
+    /// Of these, the placements on which every scan vertex has one place with N.n > 0, as Collins & Hilton 2002 ask,
+    /// and which the certificate refuses for what is between the vertices. (Not counted: `orientation`.)
+    std::size_t refused_between_vertices = 0;
     std::size_t unserved_vertices = 0; ///< scan vertices that no direction serves
     std::size_t retested_vertices = 0; ///< inversions asked of the validator, over all trials
     double setup_seconds = 0.0;

@@ -182,6 +182,7 @@ Verdict Decimator::ask_candidate(const Collapse& collapse, const Candidate& cand
     }
     const Verdict judged = validator_.judge(patch_);
     statistics_.retested_vertices += validator_.trial().retested;
+    statistics_.refused_between_vertices += validator_.trial().vertices_pass && is_between_vertices(judged) ? 1 : 0;
     return judged;
 }
 

@@ -73,6 +73,7 @@ Verdict Validator::judge(const Patch& patch) {
     trial_.places.clear();
     traces_.clear();
     trial_.retested = 0;
+    trial_.vertices_pass = false;
     const double infinity = std::numeric_limits<double>::infinity();
     hulls_.assign(count, {infinity, -infinity});
 
@@ -83,6 +84,7 @@ Verdict Validator::judge(const Patch& patch) {
     }
     if (verdict == Verdict::accepted) {
         verdict = locate_vertices(patch);
+        trial_.vertices_pass = verdict == Verdict::accepted;
     }
     if (verdict == Verdict::accepted) {
         verdict = reach_kept_corners(patch);

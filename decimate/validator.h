@@ -48,6 +48,7 @@ struct Trial {
     std::vector<NewFace> faces;   ///< one per face of the patch that comes
     std::vector<NewPlace> places; ///< every scan vertex on the patch that is not kept
     std::size_t retested = 0;     ///< inversions asked
+    bool vertices_pass = false;   ///< each has a place, with N.n > 0
 };
 
 /// Judges patches against the current base mesh, of which it knows nothing but what a Patch and a BaseSurface say: not

@@ -26,4 +26,17 @@ std::string_view name(Verdict verdict) {
     return "unknown";
 }
 
+bool is_between_vertices(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::jacobian:
+    case Verdict::no_preimage:
+    case Verdict::normal_condition:
+    case Verdict::out_of_range:
+    case Verdict::overlap:
+    case Verdict::tie:
+    case Verdict::undecided: return true;
+    default: return false;
+    }
+}
+
 } // namespace foldless

@@ -35,6 +35,9 @@ inline constexpr std::size_t verdict_count = static_cast<std::size_t>(Verdict::u
 /// The stable snake_case word of the report.
 [[nodiscard]] std::string_view name(Verdict verdict);
 
+/// Whether a scan element between the vertices was refused, or J on a whole prismoid: what tests of vertices miss.
+[[nodiscard]] bool is_between_vertices(Verdict verdict);
+
 /// How often each verdict was given, indexed by Verdict.
 using VerdictCounts = std::array<std::size_t, verdict_count>;
 

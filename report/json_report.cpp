@@ -171,7 +171,8 @@ std::string json_report(const SimplifyRecord& record) {
     json["stop_reason"] = option_name(record.stop_reason);
     json["collapses"] = {{"attempted", record.statistics.attempted},
                          {"accepted", record.statistics.accepted},
-                         {"refused", refusals_json(record.statistics.refused)}};
+                         {"refused", refusals_json(record.statistics.refused)},
+                         {"refused_between_vertices", record.statistics.refused_between_vertices}};
     json["displacement"] = displacement_json(record.displacement);
     json["certificate"] = record.certificate ? certificate_json(*record.certificate) : Json(nullptr);
     const PhaseTimes& times = record.usage.times;

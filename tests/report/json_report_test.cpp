@@ -65,7 +65,8 @@ TEST(SimplifyReport, PutsEachNumberInItsPlace) {
 
 TEST(SimplifyReport, CountsRefusalsByTheirNames) {
     EXPECT_EQ(parsed(simplify_record())["collapses"],
-              json::parse(R"({"attempted": 90, "accepted": 75, "refused": {"flip": 44, "jacobian": 11}})"));
+              json::parse(R"({"attempted": 90, "accepted": 75, "refused": {"flip": 44, "jacobian": 11},
+                               "refused_between_vertices": 7})"));
 }
 
 TEST(SimplifyReport, NamesEachStopReason) {

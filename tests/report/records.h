@@ -29,6 +29,7 @@ inline SimplifyRecord simplify_record() {
     record.input = {"in put.ply", 102, 200, {1, 2, 3, 40, -5}};
     record.output = {"out.ply", 31, 50, 12};
     record.statistics.attempted = 90;
+    record.statistics.refused_between_vertices = 7;
     record.statistics.accepted = 75;
     record.statistics.refused[static_cast<std::size_t>(Verdict::jacobian)] = 11;
     record.statistics.refused[static_cast<std::size_t>(Verdict::flip)] = 44;

@@ -250,7 +250,7 @@ class Report(ProgramTest):
             "unserved_vertices": count,
             "decimation_rate": number,
             "stop_reason": text,
-            "collapses": {"attempted": count, "accepted": count, "refused": dict},
+            "collapses": {"attempted": count, "accepted": count, "refused": dict, "refused_between_vertices": count},
             "displacement": dict.fromkeys(("min", "max", "rms", "max_relative_to_diagonal"), number),
             "certificate": {
                 "level": text,
