@@ -13,15 +13,14 @@ void BorderArcs::add(const PatchedSurface& surface, const BorderEdge& edge, cons
                      ImageArc(surface.cell(piece.triangle).triangle, line, piece.from, piece.to)});
 }
 
-void BorderArcs::add(PatchedSurface& surface, const BorderEdge& edge, const TraceEnd& from, const TraceEnd& to,
-                     std::span<const TraceCrossing> crossings) {
-    const ScanLine line{from.point, to.point};
-    LinePieces pieces(from.cell, from.at);
-    for (const TraceCrossing& crossing : crossings) {
+void BorderArcs::add(const PatchedSurface& surface, const BorderEdge& edge, const TracedEdge& traced) {
+    const ScanLine line{traced.from.point, traced.to.point};
+    LinePieces pieces(traced.from.cell, traced.from.at);
+    for (const TraceCrossing& crossing : traced.crossings) {
         const int wall_of_next = (surface.corner_of(crossing.to, crossing.edge[0]) + 1) % 3;
         pieces.cross(crossing.wall, crossing.t, crossing.to, wall_of_next);
     }
-    for (const LinePiece& piece : pieces.end(to.at)) {
+    for (const LinePiece& piece : pieces.end(traced.to.at)) {
         add(surface, edge, piece, line);
     }
 }

@@ -25,9 +25,8 @@ class BorderArcs {
 public:
     void clear() { arcs_.clear(); }
 
-    /// Adds the pieces of an edge that was followed from `from` to `to` across these walls. Refers to both points.
-    void add(PatchedSurface& surface, const BorderEdge& edge, const TraceEnd& from, const TraceEnd& to,
-             std::span<const TraceCrossing> crossings);
+    /// Adds the pieces of an edge. Refers to the points at both ends.
+    void add(const PatchedSurface& surface, const BorderEdge& edge, const TracedEdge& traced);
     /// Adds one piece of an edge, on the cell that it names.
     void add(const PatchedSurface& surface, const BorderEdge& edge, const LinePiece& piece, const ScanLine& line);
 

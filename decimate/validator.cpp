@@ -842,7 +842,7 @@ Verdict Validator::add_border_edge(const BorderEdge& edge) {
     crossings_.clear();
     const Verdict verdict = trace(ends[0], ends[1]);
     if (verdict == Verdict::accepted) {
-        border_arcs_.add(surface_, edge, trace_end(ends[0], ends[1]), trace_end(ends[1], ends[0]), crossings_);
+        border_arcs_.add(surface_, edge, {trace_end(ends[0], ends[1]), trace_end(ends[1], ends[0]), crossings_});
     }
     return verdict;
 }

@@ -138,6 +138,10 @@ public:
                 count_filtered();
                 return {Passage::Kind::ends, -1, end_->t};
             }
+            if (std::optional<Passage> passage = filtered_exit()) {
+                count_filtered();
+                return *std::move(passage);
+            }
             if (std::optional<Passage> passage = filtered_passage(triangle_, line_, from_, end_ ? &*end_ : nullptr)) {
                 count_filtered();
                 return *std::move(passage);
@@ -174,7 +178,10 @@ private:
 
     [[nodiscard]] int along(Displacement& a, Displacement& b) const;
     [[nodiscard]] bool ends_before_any_wall();
-    [[nodiscard]] bool meets_no_wall(int k, const Interval& start, const Interval& end) const;
+    [[nodiscard]] bool meets_no_wall(int k, const Interval& start, const Interval& end, bool has_end) const;
+    [[nodiscard]] std::optional<Passage> filtered_exit();
+    [[nodiscard]] double likely_exit(int k) const;
+    [[nodiscard]] std::optional<Range> crossing_near(int k, double t) const;
     [[nodiscard]] Passage follow_upwards_or_downwards();
     [[nodiscard]] bool is_on_another_wall(int wall, const Displacement& t) const;
     [[nodiscard]] std::optional<Displacement> first_exit(int k);
@@ -246,16 +253,18 @@ void Follower::set_sides() {
 // --- t moves ---------------------------------------------------------------------------------------------------------
 
 /// Whether side_k direction stays positive between the start and the end, beside known roots there: a sufficient test.
-bool Follower::meets_no_wall(int k, const Interval& start, const Interval& end) const {
+/// The end may be any displacement, or that of the line's end.
+bool Follower::meets_no_wall(int k, const Interval& start, const Interval& end, bool has_end) const {
     const Quadratic<Interval>& c = sides_[k];
     const Interval direction(direction_);
-    if (is_on(k) && ends_on(k)) {
+    const bool ends_there = has_end && ends_on(k);
+    if (is_on(k) && ends_there) {
         return (c[2] * direction).sup() < 0; // c2 (t - start) (t - end)
     }
     if (is_on(k)) { // (t - start) (c1 + c2 (t + start)), the first factor has the sign of the direction
         return (c[1] + c[2] * (start + start)).inf() > 0 && (c[1] + c[2] * (start + end)).inf() > 0;
     }
-    if (ends_on(k)) { // (t - end) (c1 + c2 (t + end)), the first factor has the opposite sign
+    if (ends_there) { // (t - end) (c1 + c2 (t + end)), the first factor has the opposite sign
         return (c[1] + c[2] * (end + end)).sup() < 0 && (c[1] + c[2] * (start + end)).sup() < 0;
     }
     // The Bernstein coefficients over the hull of both, one of each kind.
@@ -293,7 +302,80 @@ bool Follower::ends_before_any_wall() {
         return false;
     }
     const Interval end(b.lo, b.hi);
-    return meets_no_wall(0, start, end) && meets_no_wall(1, start, end) && meets_no_wall(2, start, end);
+    return meets_no_wall(0, start, end, true) && meets_no_wall(1, start, end, true) &&
+           meets_no_wall(2, start, end, true);
+}
+
+/// About the first displacement ahead at which side_k vanishes; infinite if there is none.
+double Follower::likely_exit(int k) const {
+    const auto middle = [](const Interval& x) { return x.inf() + 0.5 * (x.sup() - x.inf()); };
+    const double c0 = middle(sides_[k][0]);
+    const double c1 = middle(sides_[k][1]);
+    const double c2 = middle(sides_[k][2]);
+    const double start = from_.t.approximate();
+    const double discriminant = c1 * c1 - 4 * c0 * c2;
+    double first = std::numeric_limits<double>::infinity();
+    if (is_on(k) || !(discriminant >= 0)) {
+        return first;
+    }
+    const double h = -0.5 * (c1 + std::copysign(std::sqrt(discriminant), c1));
+    for (const double root : {h / c2, c0 / h}) {
+        const double ahead = direction_ * (root - start);
+        first = ahead > 0 && ahead < first ? ahead : first;
+    }
+    return start + direction_ * first;
+}
+
+/// Close bounds around t at which side_k certainly falls from one sign to the other, along the lift.
+std::optional<Range> Follower::crossing_near(int k, double t) const {
+    const Quadratic<Interval>& c = sides_[k];
+    const Interval value = value_at(c, Interval(t));
+    const Interval slope = (2 * c[2] * Interval(t) + c[1]) * Interval(direction_);
+    if (!(slope.sup() < 0)) { // side_k direction falls, and t grows with the direction
+        return std::nullopt;
+    }
+    const double reach = 2 * std::max(-value.inf(), value.sup()) / -slope.sup();
+    const Range bounds{t - reach, t + reach};
+    return have_opposite_signs(c, bounds) ? std::optional(bounds) : std::nullopt;
+}
+
+/// Where the line leaves, if intervals show that it meets the wall that it most likely meets first, and none before.
+std::optional<Passage> Follower::filtered_exit() {
+    const UpwardRounding upward;
+    const Range from = from_.t.bounds();
+    const Interval start(from.lo, from.hi);
+    const Sign rising = sign_of(value_at(rise_, start));
+    if (rising != Sign::positive && rising != Sign::negative) {
+        return std::nullopt;
+    }
+    direction_ = as_int(rising);
+    const std::array<double, 3> t{likely_exit(0), likely_exit(1), likely_exit(2)};
+    int wall = 0;
+    for (int k = 1; k < 3; ++k) {
+        wall = direction_ * (t[k] - t[wall]) < 0 ? k : wall;
+    }
+    const std::optional<Range> exit = std::isfinite(t[wall]) ? crossing_near(wall, t[wall]) : std::nullopt;
+    if (!exit) {
+        return std::nullopt;
+    }
+    // Along the lift: just before the crossing, and just after it.
+    const double before = direction_ > 0 ? exit->lo : exit->hi;
+    const double after = direction_ > 0 ? exit->hi : exit->lo;
+    if (!(direction_ > 0 ? from.hi < before : before < from.lo)) {
+        return std::nullopt;
+    }
+    if (end_) { // beyond the crossing, or not sure
+        const Range end = end_->t.bounds();
+        if (!(direction_ > 0 ? end.hi < from.lo || after < end.lo : from.hi < end.lo || end.hi < after)) {
+            return std::nullopt;
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        if (!meets_no_wall(k, start, Interval(k == wall ? before : after), false)) {
+            return std::nullopt;
+        }
+    }
+    return Passage{Passage::Kind::leaves, wall, Displacement::at_wall(triangle_, wall, line_, *exit)};
 }
 
 Passage Follower::follow_upwards_or_downwards() {

@@ -101,50 +101,62 @@ Roots filtered_roots(const BaseTriangle& triangle, const Vec3& q, Range range, c
     return {};
 }
 
-/// alpha_i m_i + alpha_j m_j where the line meets the wall: also where the wall's line lies in the plane of the
-/// triangle, and that plane does not tell where.
-Sign normal_condition_on_line(const BaseTriangle& triangle, const WallPoint& point, const ScanTriangle& scan_triangle) {
-    const int k = point.wall;
-    const auto m_of = [&](const auto& zero, int corner) {
-        using Number = std::decay_t<decltype(zero)>;
-        return dot(exactly<Number>(triangle.d[corner]), normal_of<Number>(scan_triangle));
-    };
+/// m of the scan triangle at a corner.
+template <class Number>
+Number seen_at(const BaseTriangle& triangle, int corner, const ScanTriangle& scan_triangle) {
+    return dot(exactly<Number>(triangle.d[corner]), normal_of<Number>(scan_triangle));
+}
+
+/// alpha_i m_i + alpha_j m_j times w at the point, where w is not zero: alpha = side / w.
+template <class Number>
+Coefficients<Number, 3> normal_condition_on_lift(const BaseTriangle& triangle, const WallPoint& point,
+                                                 const ScanTriangle& scan_triangle) {
+    Coefficients<Number, 3> result{Number(0), Number(0), Number(0)};
+    for (const int corner : {(point.wall + 1) % 3, (point.wall + 2) % 3}) {
+        const Coefficients<Number, 3> alpha = side<Number>(triangle, corner, point.line);
+        const Number m = seen_at<Number>(triangle, corner, scan_triangle);
+        for (std::size_t n = 0; n < 3; ++n) {
+            result[n] = result[n] + m * alpha[n];
+        }
+    }
+    return result;
+}
+
+/// The same in a slice, where alpha is linear between both ends of the line, and alpha_k falls from a to b: alpha (a -
+/// b) = a alpha(to) - b alpha(from).
+template <class Number>
+Coefficients<Number, 5> normal_condition_in_slice(const BaseTriangle& triangle, const WallPoint& point,
+                                                  const ScanTriangle& scan_triangle) {
+    const VectorOf<Number> c = exactly<Number>(triangle.d[0]);
+    const Coefficients<Number, 3> a = side<Number>(triangle, point.wall, *point.line.from, c);
+    const Coefficients<Number, 3> b = side<Number>(triangle, point.wall, *point.line.to, c);
+    Coefficients<Number, 5> result{Number(0), Number(0), Number(0), Number(0), Number(0)};
+    for (const int corner : {(point.wall + 1) % 3, (point.wall + 2) % 3}) {
+        const Coefficients<Number, 3> from = side<Number>(triangle, corner, *point.line.from, c);
+        const Coefficients<Number, 3> to = side<Number>(triangle, corner, *point.line.to, c);
+        const Number m = seen_at<Number>(triangle, corner, scan_triangle);
+        for (std::size_t n = 0; n < 9; ++n) {
+            result[n / 3 + n % 3] = result[n / 3 + n % 3] + m * (a[n / 3] * to[n % 3] - b[n / 3] * from[n % 3]);
+        }
+    }
+    return result;
+}
+
+/// m at the place of the crossing: also where the plane of the triangle holds the line of the wall, and does not tell
+/// where that is.
+Sign normal_condition_at_place(const BaseTriangle& triangle, const WallPoint& point,
+                               const ScanTriangle& scan_triangle) {
     const Sign w =
         sign_at(point.t, [&](const auto& zero) { return rise<std::decay_t<decltype(zero)>>(triangle, point.line); });
-    if (w != Sign::zero) { // alpha = side / w
-        const Sign sum = sign_at(point.t, [&](const auto& zero) {
-            using Number = std::decay_t<decltype(zero)>;
-            Coefficients<Number, 3> result{Number(0), Number(0), Number(0)};
-            for (const int corner : {(k + 1) % 3, (k + 2) % 3}) {
-                const Coefficients<Number, 3> alpha = side<Number>(triangle, corner, point.line);
-                const Number m = m_of(zero, corner);
-                for (std::size_t n = 0; n < 3; ++n) {
-                    result[n] = result[n] + m * alpha[n];
-                }
-            }
-            return result;
+    if (w == Sign::zero) {
+        return sign_at(point.t, [&](const auto& zero) {
+            return normal_condition_in_slice<std::decay_t<decltype(zero)>>(triangle, point, scan_triangle);
         });
-        return w == Sign::positive ? sum : -sum;
     }
-    // In the slice alpha is linear between both ends, and alpha_k falls from a >= 0 to b < 0: alpha (a - b) = a
-    // alpha(to)
-    // - b alpha(from).
-    return sign_at(point.t, [&](const auto& zero) {
-        using Number = std::decay_t<decltype(zero)>;
-        const VectorOf<Number> c = exactly<Number>(triangle.d[0]);
-        const Coefficients<Number, 3> a = side<Number>(triangle, k, *point.line.from, c);
-        const Coefficients<Number, 3> b = side<Number>(triangle, k, *point.line.to, c);
-        Coefficients<Number, 5> result{Number(0), Number(0), Number(0), Number(0), Number(0)};
-        for (const int corner : {(k + 1) % 3, (k + 2) % 3}) {
-            const Coefficients<Number, 3> from = side<Number>(triangle, corner, *point.line.from, c);
-            const Coefficients<Number, 3> to = side<Number>(triangle, corner, *point.line.to, c);
-            const Number m = m_of(zero, corner);
-            for (std::size_t n = 0; n < 9; ++n) {
-                result[n / 3 + n % 3] = result[n / 3 + n % 3] + m * (a[n / 3] * to[n % 3] - b[n / 3] * from[n % 3]);
-            }
-        }
-        return result;
+    const Sign sum = sign_at(point.t, [&](const auto& zero) {
+        return normal_condition_on_lift<std::decay_t<decltype(zero)>>(triangle, point, scan_triangle);
     });
+    return w == Sign::positive ? sum : -sum;
 }
 
 } // namespace
@@ -152,39 +164,43 @@ Sign normal_condition_on_line(const BaseTriangle& triangle, const WallPoint& poi
 PointFinder::PointFinder(const BaseTriangle& triangle, Range range)
     : triangle_(&triangle), range_(range), inverse_(triangle) {}
 
-std::optional<PrismoidPoint> PointFinder::find(const Vec3& q) const {
+PointFinder::Filtered PointFinder::filtered_find(const Vec3& q) const {
     const BaseTriangle& triangle = *triangle_;
-    if (filters_enabled()) {
-        const Preimages guesses = inverse_.preimages(q);
-        // The root that is inside, if one is, needs no others to be known: J > 0 allows no second.
-        for (const Preimage& guess : guesses) {
-            if (!(guess.alpha.minCoeff() >= 0 && guess.t > range_.lo && guess.t < range_.hi)) {
-                continue;
-            }
-            std::optional<Range> bounds;
-            {
-                const UpwardRounding upward;
-                bounds = rising_bounds(cubic<Interval>(triangle, q), guess.t);
-            }
-            if (bounds && bounds->lo >= range_.lo && bounds->hi <= range_.hi) {
-                const Displacement t = Displacement::of_point(triangle, q, *bounds);
-                if (const std::optional<Walls> walls = walls_at(triangle, q, t)) {
-                    return PrismoidPoint{t, *walls};
-                }
+    const auto place_at = [&](const Range& bounds) -> std::optional<PrismoidPoint> {
+        const Displacement t = Displacement::of_point(triangle, q, bounds);
+        const std::optional<Walls> walls = walls_at(triangle, q, t);
+        return walls ? std::optional(PrismoidPoint{t, *walls}) : std::nullopt;
+    };
+    const Preimages guesses = inverse_.preimages(q);
+    // The root that is inside, if one is, needs no others to be known: J > 0 allows no second.
+    for (const Preimage& guess : guesses) {
+        if (!(guess.alpha.minCoeff() >= 0 && guess.t > range_.lo && guess.t < range_.hi)) {
+            continue;
+        }
+        std::optional<Range> bounds;
+        {
+            const UpwardRounding upward;
+            bounds = rising_bounds(cubic<Interval>(triangle, q), guess.t);
+        }
+        if (bounds && bounds->lo >= range_.lo && bounds->hi <= range_.hi) {
+            if (std::optional<PrismoidPoint> place = place_at(*bounds)) {
+                return {true, std::move(place)};
             }
         }
-        const Roots roots = filtered_roots(triangle, q, range_, guesses);
-        if (roots.complete) {
-            if (!roots.only) {
-                return std::nullopt;
-            }
-            const Displacement t = Displacement::of_point(triangle, q, *roots.only);
-            const std::optional<Walls> walls = walls_at(triangle, q, t);
-            return walls ? std::optional(PrismoidPoint{t, *walls}) : std::nullopt;
+    }
+    const Roots roots = filtered_roots(triangle, q, range_, guesses);
+    return {roots.complete, roots.complete && roots.only ? place_at(*roots.only) : std::nullopt};
+}
+
+std::optional<PrismoidPoint> PointFinder::find(const Vec3& q) const {
+    if (filters_enabled()) {
+        Filtered filtered = filtered_find(q);
+        if (filtered.is_decided) {
+            return std::move(filtered.place);
         }
     }
     count_exact();
-    const ExactPolynomial c = polynomial(cubic<Exact>(triangle, q));
+    const ExactPolynomial c = polynomial(cubic<Exact>(*triangle_, q));
     if (c.is_zero()) {
         return std::nullopt; // q lies in every slice: J would have to be 0
     }
@@ -193,7 +209,7 @@ std::optional<PrismoidPoint> PointFinder::find(const Vec3& q) const {
             continue;
         }
         const Displacement t = Displacement::of_root(std::move(root));
-        if (const std::optional<Walls> walls = walls_at(triangle, q, t)) {
+        if (const std::optional<Walls> walls = walls_at(*triangle_, q, t)) {
             return PrismoidPoint{t, *walls};
         }
     }
@@ -253,7 +269,7 @@ Sign normal_condition_at_wall(const BaseTriangle& triangle, const WallPoint& poi
         const Number above = l_i * m_j - l_j * m_i;
         return Coefficients<Number, 2>{above * (l_i - l_j), above * (m_i - m_j)};
     });
-    return sign == Sign::zero ? normal_condition_on_line(triangle, point, scan_triangle) : sign;
+    return sign == Sign::zero ? normal_condition_at_place(triangle, point, scan_triangle) : sign;
 }
 
 RoundedPlace rounded_place(const BaseTriangle& triangle, const Vec3& q, const Displacement& t) {

@@ -41,6 +41,13 @@ public:
     [[nodiscard]] std::optional<PrismoidPoint> find(const Vec3& q) const;
 
 private:
+    /// What filters know.
+    struct Filtered {
+        bool is_decided;
+        std::optional<PrismoidPoint> place;
+    };
+    [[nodiscard]] Filtered filtered_find(const Vec3& q) const;
+
     const BaseTriangle* triangle_;
     Range range_;
     InverseDisplacement inverse_;
