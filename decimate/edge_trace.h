@@ -9,7 +9,6 @@
 #include <foldless/predicates/prismoid_line.h>
 
 #include <array>
-#include <span>
 #include <vector>
 
 namespace foldless {
@@ -29,13 +28,6 @@ struct TraceCrossing {
     std::array<std::int32_t, 2> edge; ///< base vertices of the wall
     Displacement t;
     ScanLine line; ///< the edge
-};
-
-/// An edge that was followed.
-struct TracedEdge {
-    TraceEnd from;
-    TraceEnd to;
-    std::span<const TraceCrossing> crossings;
 };
 
 /// Whether an edge along e whose ends lie in the cell, at displacements within the range, certainly stays in it: every

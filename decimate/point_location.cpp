@@ -34,6 +34,12 @@ std::optional<Lift> lift_of(int cell, const BaseTriangle& triangle, const Vec3& 
     return lift;
 }
 
+std::optional<Lift> lift_of_place(const PatchedSurface& surface, int cell, const Vec3& q, const Place& place) {
+    const BaseTriangle& triangle = surface.cell(cell).triangle;
+    const std::optional<Enclosure> at = enclose(triangle, q, place.alpha, place.t);
+    return at ? lift_of(cell, triangle, q, *at) : std::nullopt;
+}
+
 bool same_point(PatchedSurface& surface, const Lift& a, const Lift& b) {
     for (int k = 0; k < 3; ++k) {
         if ((a.walls & wall_bit(k)) == 0 || surface.neighbour(a.cell, k) != b.cell) {

@@ -26,6 +26,10 @@ struct Lift {
 /// The place near a solution that is known up to rounding: nothing if that is outside the triangle. Exact.
 [[nodiscard]] std::optional<Lift> lift_of(int cell, const BaseTriangle& triangle, const Vec3& q, const Enclosure& at);
 
+/// The stored place of a scan vertex, which is on this cell: nothing if rounding hides that it is there.
+[[nodiscard]] std::optional<Lift> lift_of_place(const PatchedSurface& surface, int cell, const Vec3& q,
+                                                const Place& place);
+
 /// Whether two places are the same point on the common wall of their cells.
 [[nodiscard]] bool same_point(PatchedSurface& surface, const Lift& a, const Lift& b);
 

@@ -2,21 +2,23 @@
 /// The guard: may a patch take the place of the faces that go?
 #pragma once
 
-#include <foldless/decimate/border_arcs.h>
-#include <foldless/decimate/cell_places.h>
 #include <foldless/decimate/direction_cone.h>
 #include <foldless/decimate/edge_trace.h>
-#include <foldless/decimate/fan_order.h>
+#include <foldless/decimate/faces_beside.h>
+#include <foldless/decimate/patch_image.h>
+#include <foldless/decimate/patch_ranges.h>
 #include <foldless/decimate/patched_surface.h>
 #include <foldless/decimate/pillars.h>
 #include <foldless/decimate/point_location.h>
 #include <foldless/decimate/prismoid.h>
 #include <foldless/decimate/scan_topology.h>
-#include <foldless/decimate/trace_cache.h>
+#include <foldless/decimate/trial.h>
+#include <foldless/decimate/trimmed_patch.h>
 #include <foldless/decimate/verdict.h>
 #include <foldless/predicates/scan_normal.h>
 #include <foldless/predicates/scan_orientation.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -30,25 +32,6 @@ struct ValidatorOptions {
     bool trimmed = false;                   ///< the scan's border need not be the base mesh's
     bool orientation = false;               ///< the test of Maggiordomo et al. 2023, section 5.2, besides
     std::optional<double> max_displacement; ///< bound on |t| |d| over whole faces, model units
-};
-
-/// What accepting a patch would mean, computed while it was judged.
-struct Trial {
-    struct NewFace {
-        Range range{0.0, 0.0};
-        std::vector<std::int32_t> scan_faces;
-        bool is_scan_face = false;
-    };
-    struct NewPlace {
-        std::int32_t scan_vertex;
-        int face; ///< index of the new face, or -1 for a kept vertex
-        Vec3 alpha;
-        double t;
-    };
-    std::vector<NewFace> faces;   ///< one per face of the patch that comes
-    std::vector<NewPlace> places; ///< every scan vertex on the patch that is not kept
-    std::size_t retested = 0;     ///< inversions asked
-    bool vertices_pass = false;   ///< each has a place, with N.n > 0
 };
 
 /// Judges patches against the current base mesh, of which it knows nothing but what a Patch and a BaseSurface say: not
@@ -78,65 +61,39 @@ public:
     [[nodiscard]] const ScanNormal& scan_normal(std::int32_t scan_face) const { return normals_[scan_face]; }
 
 private:
-    /// A corner of the scan face under test.
-    struct Corner {
-        std::int32_t scan_vertex;
-        int cell;              ///< where it lies, -1 if it is kept
-        const FanOrder* order; ///< the fan of a kept vertex, else null
-        Lift lift;             ///< if it is not kept
-    };
-
+    void reset(const Patch& patch);
+    [[nodiscard]] Verdict judge_vertices(const Patch& patch);
+    [[nodiscard]] Verdict judge_faces(const Patch& patch);
     [[nodiscard]] Verdict ask_witness();
     [[nodiscard]] Verdict locate_vertices(const Patch& patch);
     [[nodiscard]] Verdict locate_vertex(std::int32_t v);
     [[nodiscard]] Verdict find_place(std::int32_t v, Lift& lift);
     [[nodiscard]] Verdict test_normals_at(std::int32_t v, const Lift& lift) const;
-    [[nodiscard]] Verdict reach_kept_corners(const Patch& patch);
+    [[nodiscard]] Verdict reach_kept_corners();
     void find_wall_planes();
-    [[nodiscard]] Verdict order_fans(const Patch& patch);
+    void find_cone();
     [[nodiscard]] Verdict test_faces();
     [[nodiscard]] Verdict test_face(std::int32_t scan_face);
     [[nodiscard]] Verdict test_inside(std::int32_t scan_face, const std::array<std::int32_t, 3>& moved);
     [[nodiscard]] bool is_inside_one_cell(const std::array<std::int32_t, 3>& moved) const;
-    [[nodiscard]] std::int32_t moved(std::int32_t scan_vertex) const;
-    void find_cone();
-    [[nodiscard]] Verdict test_constant(std::int32_t scan_face, const std::array<Corner, 3>& corners,
-                                        const ScanNormal& normal);
+    [[nodiscard]] Verdict test_constant(std::int32_t scan_face, const std::array<Corner, 3>& corners);
     [[nodiscard]] Verdict test_orientation(int cell, const std::array<Corner, 3>& corners) const;
     [[nodiscard]] DisplacedPoint displaced(int cell, const Corner& corner) const;
     [[nodiscard]] Verdict record(std::int32_t scan_face, const ScanTriangle& q, const std::array<Corner, 3>& corners);
     [[nodiscard]] Verdict test_spanning(const ScanTriangle& q, const std::array<Corner, 3>& corners,
                                         const ScanNormal& normal);
-    [[nodiscard]] Verdict trace(const Corner& a, const Corner& b);
-    [[nodiscard]] TraceEnd trace_end(const Corner& at, const Corner& other) const;
-    [[nodiscard]] Verdict test_borders();
-    [[nodiscard]] Verdict add_border_edge(const BorderEdge& edge);
-    void add_base_edge(const BorderEdge& edge, const Corner& from, const Corner& to);
     [[nodiscard]] Verdict test_kept_corners(const ScanTriangle& q, const std::array<Corner, 3>& corners,
                                             const ScanNormal& normal) const;
     [[nodiscard]] Verdict test_crossings(const ScanTriangle& q, const ScanNormal& normal) const;
     [[nodiscard]] Verdict test_pillars(const ScanTriangle& q, const std::array<Corner, 3>& corners);
     [[nodiscard]] Verdict close_ranges();
     [[nodiscard]] Verdict test_alternatives() const;
-    [[nodiscard]] Verdict test_faces_beside();
-    [[nodiscard]] Verdict test_frozen_walls();
-    [[nodiscard]] Verdict test_wall(int outer, int k) const;
-    [[nodiscard]] Verdict test_places_in(int outer);
-    [[nodiscard]] Verdict test_vertices_of(int outer) const;
-    [[nodiscard]] Verdict corner(std::int32_t scan_vertex, Corner& out);
-    [[nodiscard]] PrismoidPoint point_in(int cell, const Corner& corner) const;
-    [[nodiscard]] Verdict order_fan(std::int32_t base_vertex, std::int32_t scan_vertex);
-    [[nodiscard]] const FanOrder* order_of(std::int32_t base_vertex, std::int32_t scan_vertex);
-    [[nodiscard]] bool holds_corners(int cell, const std::array<Corner, 3>& corners) const;
     [[nodiscard]] int common_cell(const std::array<Corner, 3>& corners) const;
     [[nodiscard]] Verdict stays_in(int cell, const std::array<Corner, 3>& corners) const;
     void touch(int cell, std::int32_t scan_face);
     /// The cells between two scan edges that leave a kept vertex; false if one is impassable.
     [[nodiscard]] bool touch_between(const FanOrder& order, std::int32_t first, std::int32_t second,
                                      std::int32_t scan_face);
-    [[nodiscard]] Verdict reach(int cell, const Displacement& t);
-    [[nodiscard]] Verdict reach_pillar(std::int32_t vertex, const ScanTriangle& q, std::int32_t scan_face);
-    void extend_hull(int cell, Range t);
 
     const BaseSurface* base_;
     const Scan* scan_;
@@ -146,45 +103,29 @@ private:
 
     PatchedSurface surface_;
     PointLocation location_;
+    PatchRanges ranges_;
+    PatchImage image_;
     PillarFlood flood_;
-    TraceCache traces_;
-    BorderArcs border_arcs_;
+    FacesBeside beside_;
+    TrimmedPatch borders_;
     Trial trial_;
-    std::vector<Range> hulls_; ///< of the displacements met so far, per new face
 
-    // Scan elements on the patch; stamps tell which belong to the current trial.
-    struct Moved {
-        std::uint32_t stamp = 0;
-        std::int32_t lift = -1; ///< into lifts_
-    };
+    // Scan faces on the patch; stamps tell which belong to the current trial.
     std::uint32_t stamp_ = 0;
     std::vector<std::uint32_t> face_stamp_;
-    std::vector<Moved> moved_; ///< per scan vertex
     std::vector<std::int32_t> scan_faces_;
-    std::vector<Lift> lifts_; ///< of the places of the trial, in the same order
     std::vector<Vec3> directions_;
     DirectionCone cone_{{}};         ///< of all directions of the new cells
     std::vector<WallPlanes> planes_; ///< of the new cells, over the displacements of the places on them
-    std::vector<unsigned> behind_;   ///< for each of the places, WallPlanes::behind()
+    std::vector<unsigned> behind_;   ///< for each of the new places, WallPlanes::behind()
     std::vector<std::pair<std::int32_t, Lift>> alternatives_;
     std::int32_t witness_ = -1;      ///< the scan vertex for which the last patch was refused that was for one
     std::int32_t face_witness_ = -1; ///< the same for scan faces
-
-    struct Ordered {
-        std::uint32_t stamp = 0;
-        std::int32_t order = -1; ///< into orders_
-    };
-    std::vector<FanOrder> orders_;
-    std::size_t orders_used_ = 0;
-    std::vector<Ordered> ordered_; ///< per scan vertex
 
     // Scratch of the scan face under test.
     std::vector<TraceCrossing> crossings_;
     OddEdges odd_;
     std::vector<std::int32_t> inside_; ///< base vertices
-    std::vector<int> beside_;          ///< cells beside the patch
-    std::vector<CellPlaces> here_;     ///< the new cells that move
-    Box around_here_;                  ///< around all of them
 };
 
 } // namespace foldless

@@ -2,6 +2,8 @@
 /// Why a local change of the base mesh is refused.
 #pragma once
 
+#include <foldless/predicates/sign.h>
+
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -31,6 +33,14 @@ enum class Verdict {
 };
 
 inline constexpr std::size_t verdict_count = static_cast<std::size_t>(Verdict::undecided) + 1;
+
+/// What a guard says that asks for a positive sign.
+[[nodiscard]] inline Verdict verdict_of(Sign sign, Verdict refusal) {
+    if (sign == Sign::positive) {
+        return Verdict::accepted;
+    }
+    return sign == Sign::undecided ? Verdict::undecided : refusal;
+}
 
 /// The stable snake_case word of the report.
 [[nodiscard]] std::string_view name(Verdict verdict);

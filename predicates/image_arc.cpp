@@ -174,6 +174,11 @@ private:
             return at_s;
         }
         const double middle = t.inf() + 0.5 * (t.sup() - t.inf());
+        const bool is_passed = std::min(piece.from.t.sup(), piece.to.t.sup()) < middle &&
+                               middle < std::max(piece.from.t.inf(), piece.to.t.inf());
+        if (!is_passed) { // the ends are not known well enough: the lift may have no point in that slice
+            return at_s;
+        }
         const Interval at_t = value_at(cubic_, Interval(middle)) / value_at(rise_, Interval(middle));
         return at_t.inf() > lo && at_t.sup() < hi ? at(at_t, Interval(middle)) : at_s;
     }

@@ -3,14 +3,16 @@
 #include <foldless/io/union_find.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
-#include <tuple>
+#include <optional>
+#include <span>
 #include <utility>
 
 namespace foldless::verification {
 namespace {
 
-/// Arcs of a loop that are tried for its witness: one suffices unless other sheets are near.
+/// Arcs of a chain that are tried for its witness: one suffices unless other sheets are near.
 constexpr std::size_t most_witnesses = 256;
 
 } // namespace
@@ -24,38 +26,43 @@ BorderCurves::BorderCurves(const Correspondents& all, const Meshes& meshes) : al
         for (int k = 0; k < 3; ++k) {
             const std::int32_t across = meshes.scan_adjacency.neighbour(face, (k + 2) % 3);
             if (across < 0 || all.base.scan_face_is_frozen(across)) {
-                add_edge(face, k);
+                add_side(face, k);
             }
         }
     }
-    sort();
-}
-
-void BorderCurves::add_edge(std::int32_t scan_face, int k) {
-    const Triangle& corners = meshes_.scan.faces[scan_face];
-    BorderEdge edge{{corners[k], corners[(k + 1) % 3]}, scan_face, false};
-    if (all_.association.is_base_edge(edge.ends[0], edge.ends[1])) {
-        const std::vector<std::int32_t>& base_of = meshes_.kept.base_of;
-        const std::int32_t other = meshes_.base_adjacency.face_with(base_of[edge.ends[1]], base_of[edge.ends[0]]);
-        edge.is_outermost = other < 0 || !all_.base.is_moving(other);
-        edges_.push_back(edge);
-        add_along_base_edge(edge);
-    } else {
-        edges_.push_back(edge);
-        add_traced(edge);
+    sort_by_triangle(arcs_);
+    for (const BorderArc& arc : arcs_) {
+        if (faces_.empty() || faces_.back() != arc.triangle) {
+            faces_.push_back(arc.triangle);
+        }
     }
 }
 
+void BorderCurves::add_side(std::int32_t scan_face, int k) {
+    const Triangle& corners = meshes_.scan.faces[scan_face];
+    const BorderEdge edge{scan_face, {corners[k], corners[(k + 1) % 3]}};
+    if (!all_.association.is_base_edge(edge.ends[0], edge.ends[1])) {
+        sides_.push_back({edge, false});
+        add_traced(edge);
+        return;
+    }
+    const std::vector<std::int32_t>& base_of = meshes_.kept.base_of;
+    const std::int32_t other = meshes_.base_adjacency.face_with(base_of[edge.ends[1]], base_of[edge.ends[0]]);
+    sides_.push_back({edge, other < 0 || !all_.base.is_moving(other)});
+    add_base_edge(edge);
+}
+
 /// The edge on the moving faces on both of its sides.
-void BorderCurves::add_along_base_edge(const BorderEdge& edge) {
+void BorderCurves::add_base_edge(const BorderEdge& edge) {
     const ScanLine line{&meshes_.scan.positions[edge.ends[0]], &meshes_.scan.positions[edge.ends[1]]};
     const std::int32_t a = meshes_.kept.base_of[edge.ends[0]];
     const std::int32_t b = meshes_.kept.base_of[edge.ends[1]];
     for (const std::int32_t face : {meshes_.base_adjacency.face_with(a, b), meshes_.base_adjacency.face_with(b, a)}) {
         if (face >= 0 && all_.base.is_moving(face)) {
-            add(line, {face,
-                       {on_pillar(all_.base, face, a, Displacement()), true},
-                       {on_pillar(all_.base, face, b, Displacement()), true}});
+            add(edge, line,
+                {face,
+                 {on_pillar(all_.base, face, a, Displacement()), true},
+                 {on_pillar(all_.base, face, b, Displacement()), true}});
         }
     }
 }
@@ -74,30 +81,12 @@ void BorderCurves::add_traced(const BorderEdge& edge) {
     }
     const ScanLine line{&meshes_.scan.positions[a], &meshes_.scan.positions[b]};
     for (const LinePiece& piece : pieces.end(all_.association.start(b, a).at)) {
-        add(line, piece);
+        add(edge, line, piece);
     }
 }
 
-void BorderCurves::add(const ScanLine& line, const LinePiece& piece) {
-    const auto edge = static_cast<std::int32_t>(edges_.size()) - 1;
-    const std::array<std::int32_t, 2>& ends = edges_.back().ends;
-    arcs_.push_back({piece.triangle,
-                     edge,
-                     {piece.from.is_of_line ? ends[0] : -1, piece.to.is_of_line ? ends[1] : -1},
-                     ImageArc(all_.base.face(piece.triangle).triangle, line, piece.from, piece.to)});
-}
-
-void BorderCurves::sort() {
-    std::stable_sort(arcs_.begin(), arcs_.end(), [](const Arc& a, const Arc& b) {
-        return std::tuple(a.base_face, a.image.bounds(0).lo) < std::tuple(b.base_face, b.image.bounds(0).lo);
-    });
-    for (std::size_t i = 0; i < arcs_.size(); ++i) {
-        if (faces_.empty() || faces_.back() != arcs_[i].base_face) {
-            faces_.push_back(arcs_[i].base_face);
-            first_arc_.push_back(i);
-        }
-    }
-    first_arc_.push_back(arcs_.size());
+void BorderCurves::add(const BorderEdge& edge, const ScanLine& line, const LinePiece& piece) {
+    arcs_.push_back(border_arc(all_.base.face(piece.triangle).triangle, edge, line, piece));
 }
 
 void BorderCurves::settle(Degree& degree) const {
@@ -107,64 +96,19 @@ void BorderCurves::settle(Degree& degree) const {
 }
 
 void BorderCurves::check(const Meetings& meetings, Stages& stages, double share, Findings& findings) const {
-    stages.for_each(faces_.size(), share, [&](std::size_t n) {
-        check_face(faces_[n], findings);
-        for (int k = 0; k < 3; ++k) {
-            check_wall(faces_[n], k, findings);
-        }
-    });
+    stages.for_each(faces_.size(), share, [&](std::size_t n) { check_face(faces_[n], findings); });
     check_pillars(findings);
-    check_loops(meetings, findings);
-}
-
-std::span<const BorderCurves::Arc> BorderCurves::arcs_on(std::int32_t base_face) const {
-    const auto found = std::lower_bound(faces_.begin(), faces_.end(), base_face);
-    if (found == faces_.end() || *found != base_face) {
-        return {};
-    }
-    const std::size_t n = static_cast<std::size_t>(found - faces_.begin());
-    return {arcs_.data() + first_arc_[n], arcs_.data() + first_arc_[n + 1]};
-}
-
-/// Edges of one scan face do not meet: its border is a simple curve (theorem B).
-bool BorderCurves::may_meet(const Arc& a, const Arc& b) const {
-    return edges_[a.edge].scan_face != edges_[b.edge].scan_face;
+    check_chains(meetings, findings);
 }
 
 void BorderCurves::check_face(std::int32_t base_face, Findings& findings) const {
-    const std::span<const Arc> arcs = arcs_on(base_face);
-    for (auto a = arcs.begin(); a != arcs.end(); ++a) {
-        for (auto b = a + 1; b != arcs.end() && b->image.bounds(0).lo <= a->image.bounds(0).hi; ++b) {
-            if (may_meet(*a, *b) && !are_apart(a->image, b->image, shared_point(a->vertices, b->vertices))) {
-                report(*a, findings);
-            }
-        }
-    }
-}
-
-/// Arcs in two faces can meet on the wall between them, where neither crosses it.
-void BorderCurves::check_wall(std::int32_t base_face, int k, Findings& findings) const {
-    const std::int32_t across = all_.base.face(base_face).across[k];
-    if (across < base_face) {
-        return; // each pair once
-    }
-    const CommonWall wall{k, wall_across(all_.base, base_face, k)};
-    const auto near_wall = [&](std::int32_t face, int corner) {
-        std::vector<const Arc*> result;
-        for (const Arc& arc : arcs_on(face)) {
-            if (arc.image.bounds(corner).lo <= 0) {
-                result.push_back(&arc);
-            }
-        }
-        return result;
-    };
-    const std::vector<const Arc*> there = near_wall(across, wall.b);
-    for (const Arc* const a : there.empty() ? std::vector<const Arc*>() : near_wall(base_face, wall.a)) {
-        for (const Arc* const b : there) {
-            if (may_meet(*a, *b) &&
-                !are_apart_on_wall(a->image, b->image, wall, shared_point(a->vertices, b->vertices))) {
-                report(*a, findings);
-            }
+    const std::span<const BorderArc> here = arcs_on(arcs_, base_face);
+    report(first_meeting(here), findings);
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t across = all_.base.face(base_face).across[k];
+        if (across > base_face) { // each wall once
+            const CommonWall wall{k, wall_across(all_.base, base_face, k)};
+            report(first_meeting_on_wall(here, arcs_on(arcs_, across), wall), findings);
         }
     }
 }
@@ -172,70 +116,97 @@ void BorderCurves::check_wall(std::int32_t base_face, int k, Findings& findings)
 /// Two border vertices on one pillar lie over each other.
 void BorderCurves::check_pillars(Findings& findings) const {
     std::map<std::int32_t, std::int32_t> on_pillar;
-    for (const BorderEdge& edge : edges_) {
-        for (const std::int32_t vertex : edge.ends) {
+    for (const Side& side : sides_) {
+        for (const std::int32_t vertex : side.edge.ends) {
             const std::int32_t pillar = all_.association.place(vertex).pillar;
             if (pillar >= 0 && on_pillar.emplace(pillar, vertex).first->second != vertex) {
                 findings.add({.violation = Violation::overlap,
                               .scan_vertex = vertex,
-                              .scan_face = edge.scan_face,
+                              .scan_face = side.edge.scan_face,
                               .position = meshes_.scan.positions[vertex]});
             }
         }
     }
 }
 
-void BorderCurves::check_loops(const Meetings& meetings, Findings& findings) const {
-    UnionFind loops(meshes_.scan.positions.size());
-    const auto loop_of = [&](const BorderEdge& edge) { return loops.find(static_cast<std::uint32_t>(edge.ends[0])); };
-    for (const BorderEdge& edge : edges_) {
-        loops.join(static_cast<std::uint32_t>(edge.ends[0]), static_cast<std::uint32_t>(edge.ends[1]));
-    }
-    std::map<std::uint32_t, bool> is_outermost;
-    for (const BorderEdge& edge : edges_) {
-        bool& outermost = is_outermost[loop_of(edge)];
-        outermost = outermost || edge.is_outermost;
-    }
-    std::map<std::uint32_t, std::vector<std::size_t>> arcs;
-    for (std::size_t i = 0; i < arcs_.size(); ++i) {
-        const std::uint32_t loop = loop_of(edges_[arcs_[i].edge]);
-        if (!is_outermost[loop] && arcs[loop].size() < most_witnesses) {
-            arcs[loop].push_back(i);
+/// The chain of each side: loops, cut where more than two sides meet, as there the parts on their left could lie over
+/// each other though their borders do not meet.
+std::vector<std::uint32_t> BorderCurves::chain_of_sides() const {
+    std::map<std::int32_t, std::vector<std::uint32_t>> at_vertex;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+        for (const std::int32_t vertex : sides_[i].edge.ends) {
+            at_vertex[vertex].push_back(static_cast<std::uint32_t>(i));
         }
     }
-    for (const auto& [loop, some] : arcs) {
-        if (!has_witness(some, meetings)) {
-            report(arcs_[some.front()], findings);
+    UnionFind chains(sides_.size());
+    for (const auto& [vertex, sides] : at_vertex) {
+        if (sides.size() == 2) {
+            chains.join(sides[0], sides[1]);
+        }
+    }
+    std::vector<std::uint32_t> result;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+        result.push_back(chains.find(static_cast<std::uint32_t>(i)));
+    }
+    return result;
+}
+
+void BorderCurves::check_chains(const Meetings& meetings, Findings& findings) const {
+    struct Chain {
+        bool is_outermost = false; ///< somewhere
+        std::vector<const BorderArc*> arcs;
+    };
+    std::map<std::uint32_t, Chain> chains;
+    std::map<std::array<std::int32_t, 2>, std::uint32_t> chain_of_edge;
+    const std::vector<std::uint32_t> chain_of = chain_of_sides();
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+        Chain& chain = chains[chain_of[i]];
+        chain.is_outermost = chain.is_outermost || sides_[i].is_outermost;
+        chain_of_edge[sides_[i].edge.ends] = chain_of[i];
+    }
+    for (const BorderArc& arc : arcs_) {
+        Chain& chain = chains[chain_of_edge.at(arc.edge.ends)];
+        if (chain.arcs.size() < most_witnesses) {
+            chain.arcs.push_back(&arc);
+        }
+    }
+    for (const auto& [number, chain] : chains) {
+        // A chain without arcs has edges that could not be followed: `trace` says so.
+        if (!chain.is_outermost && !chain.arcs.empty() && !has_witness(chain.arcs, meetings)) {
+            report(chain.arcs.front(), findings);
         }
     }
 }
 
-bool BorderCurves::has_witness(const std::vector<std::size_t>& arcs, const Meetings& meetings) const {
-    return std::any_of(arcs.begin(), arcs.end(), [&](std::size_t i) {
-        const Range part = arcs_[i].image.parameters();
+bool BorderCurves::has_witness(const std::vector<const BorderArc*>& arcs, const Meetings& meetings) const {
+    return std::any_of(arcs.begin(), arcs.end(), [&](const BorderArc* arc) {
+        const Range part = arc->image.parameters();
         const double s = part.lo + 0.5 * (part.hi - part.lo);
-        return part.lo < s && s < part.hi && is_covered_once(arcs_[i], s, meetings);
+        return part.lo < s && s < part.hi && is_covered_once(*arc, s, meetings);
     });
 }
 
-bool BorderCurves::is_covered_once(const Arc& arc, double s, const Meetings& meetings) const {
-    const Range range = all_.base.face(arc.base_face).range;
-    auto met = std::lower_bound(meetings.begin(), meetings.end(), std::pair(arc.base_face, std::int32_t(-1)));
-    for (; met != meetings.end() && met->first == arc.base_face; ++met) {
-        if (met->second != edges_[arc.edge].scan_face &&
-            !certainly_misses(arc.image, s, all_.triangle(met->second), range)) {
+bool BorderCurves::is_covered_once(const BorderArc& arc, double s, const Meetings& meetings) const {
+    const Range range = all_.base.face(arc.triangle).range;
+    auto met = std::lower_bound(meetings.begin(), meetings.end(), std::pair(arc.triangle, std::int32_t(-1)));
+    for (; met != meetings.end() && met->first == arc.triangle; ++met) {
+        if (met->second != arc.edge.scan_face && !certainly_misses(arc.image, s, all_.triangle(met->second), range)) {
             return false;
         }
     }
     return true;
 }
 
-void BorderCurves::report(const Arc& arc, Findings& findings) const {
-    const BorderEdge& edge = edges_[arc.edge];
+/// Null is no finding.
+void BorderCurves::report(const BorderArc* arc, Findings& findings) const {
+    if (arc == nullptr) {
+        return;
+    }
+    const auto& [a, b] = arc->edge.ends;
     findings.add({.violation = Violation::overlap,
-                  .scan_face = edge.scan_face,
-                  .base_face = arc.base_face,
-                  .position = 0.5 * (meshes_.scan.positions[edge.ends[0]] + meshes_.scan.positions[edge.ends[1]])});
+                  .scan_face = arc->edge.scan_face,
+                  .base_face = arc->triangle,
+                  .position = 0.5 * (meshes_.scan.positions[a] + meshes_.scan.positions[b])});
 }
 
 } // namespace foldless::verification

@@ -2,6 +2,7 @@
 
 #include "made_scans.h"
 
+#include <foldless/io/bounding_box.h>
 #include <foldless/io/defects.h>
 #include <foldless/io/float32.h>
 #include <foldless/verify/verify.h>
@@ -97,7 +98,7 @@ void check_places(const Scan& scan, const DecimateResult& result) {
             used[v] = true;
         }
     }
-    const double error = place_error * diagonal(scan);
+    const double error = place_error * bounding_box_diagonal(scan);
     for (std::size_t v = 0; v < scan.positions.size(); ++v) {
         const std::int32_t face = result.correspondence.base_face[v];
         ASSERT_EQ(face >= 0, used[v]) << "scan vertex " << v;

@@ -176,14 +176,4 @@ std::int32_t vertex_at(const Scan& scan, const Vec3& position) {
     return found == scan.positions.end() ? -1 : static_cast<std::int32_t>(found - scan.positions.begin());
 }
 
-double diagonal(const Scan& scan) {
-    Vec3 low = scan.positions.front();
-    Vec3 high = low;
-    for (const Vec3& p : scan.positions) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    return (high - low).norm();
-}
-
 } // namespace foldless::test

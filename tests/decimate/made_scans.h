@@ -34,7 +34,4 @@ namespace foldless::test {
 /// The vertex with the given position, or -1.
 [[nodiscard]] std::int32_t vertex_at(const Scan& scan, const Vec3& position);
 
-/// Length of the diagonal of the box around the scan.
-[[nodiscard]] double diagonal(const Scan& scan);
-
 } // namespace foldless::test

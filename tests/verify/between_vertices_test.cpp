@@ -200,30 +200,16 @@ TEST(BetweenVertices, RandomSquaresAreJudgedAsByTheOracle) {
 
 // --- Covers ----------------------------------------------------------------------------------------------------------
 
-/// A double pyramid, its poles first, over a polygon that goes `laps` times round the axis.
-Scan bipyramid(int corners, int laps) {
-    Scan scan{{{0.011, 0.007, 1}, {0.005, -0.003, -1}}, {}, false};
-    for (int k = 0; k < corners; ++k) {
-        const double angle = 2 * std::numbers::pi * laps * k / corners + 0.1;
-        scan.positions.emplace_back(std::cos(angle), std::sin(angle), 0.013);
-        const std::int32_t a = 2 + k;
-        const std::int32_t b = 2 + (k + 1) % corners;
-        scan.faces.push_back({0, a, b});
-        scan.faces.push_back({1, b, a});
-    }
-    return scan;
-}
-
 TEST(Covers, ABipyramidWoundTwiceIsRefusedWithAndWithoutKeptPoles) {
     for (const bool keeps_poles : {true, false}) {
         BaseMesh base;
-        base.positions = bipyramid(3, 1).positions;
+        base.positions = bipyramid_off_centre(3, 1).positions;
         base.directions = base.positions;
-        base.faces = bipyramid(3, 1).faces;
+        base.faces = bipyramid_off_centre(3, 1).faces;
         base.scan_vertex.assign(5, -1);
         base.ranges.assign(base.faces.size(), {-0.7, 2});
         for (const int laps : {1, 2}) {
-            Scan scan = bipyramid(9, laps);
+            Scan scan = bipyramid_off_centre(9, laps);
             for (int pole = 0; pole < 2; ++pole) {
                 if (keeps_poles) {
                     base.scan_vertex[pole] = pole;

@@ -6,6 +6,7 @@
 #include "violations.h"
 
 #include <foldless/decimate/decimate.h>
+#include <foldless/io/bounding_box.h>
 
 #include <gtest/gtest.h>
 
@@ -46,7 +47,7 @@ DecimateOptions random_options(Random& random, const Scan& scan) {
         options.target_faces = 4 + index(random, scan.faces.size());
     }
     if (index(random, 4) == 0) {
-        options.max_displacement = uniform(random, 0.01, 0.2) * diagonal(scan);
+        options.max_displacement = uniform(random, 0.01, 0.2) * bounding_box_diagonal(scan);
     }
     options.threads = 1;
     return options;
@@ -225,7 +226,7 @@ BaseMesh with_a_fault(const Case& c, Random& random) {
     const int v = index(random, base.positions.size());
     const double x = uniform(random, -1, 1);
     const double y = uniform(random, -1, 1);
-    base.positions[v] += 0.05 * diagonal(c.scan) * Vec3(x, y, uniform(random, -1, 1));
+    base.positions[v] += 0.05 * bounding_box_diagonal(c.scan) * Vec3(x, y, uniform(random, -1, 1));
     base.scan_vertex[v] = -1;
     return base;
 }

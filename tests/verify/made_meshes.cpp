@@ -3,6 +3,7 @@
 #include "../subdivided.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace foldless::test {
 namespace {
@@ -20,6 +21,27 @@ Scan sphere(int levels, const Eigen::Matrix3d& turn) {
         p = turn * p * (1 + 0.05 * std::sin(5 * p.x()) * std::cos(4 * p.y()));
     }
     return result;
+}
+
+/// The polygon of a double pyramid.
+struct Waist {
+    int corners;
+    int laps;
+    double turn;
+    double height;
+};
+
+Scan bipyramid(const std::vector<Vec3>& poles, const Waist& waist) {
+    Scan scan{poles, {}, false};
+    for (int k = 0; k < waist.corners; ++k) {
+        const double angle = 2 * std::numbers::pi * waist.laps * k / waist.corners + waist.turn;
+        scan.positions.emplace_back(std::cos(angle), std::sin(angle), waist.height);
+        const std::int32_t a = 2 + k;
+        const std::int32_t b = 2 + (k + 1) % waist.corners;
+        scan.faces.push_back({0, a, b});
+        scan.faces.push_back({1, b, a});
+    }
+    return scan;
 }
 
 } // namespace
@@ -76,6 +98,14 @@ Scan grid(int side, double low, double high, double height) {
         }
     }
     return scan;
+}
+
+Scan bipyramid(int corners, int laps) {
+    return bipyramid({{0, 0, 1}, {0, 0, -1}}, {corners, laps, 0, 0});
+}
+
+Scan bipyramid_off_centre(int corners, int laps) {
+    return bipyramid({{0.011, 0.007, 1}, {0.005, -0.003, -1}}, {corners, laps, 0.1, 0.013});
 }
 
 } // namespace foldless::test

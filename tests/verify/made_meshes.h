@@ -38,4 +38,10 @@ struct Pair {
 /// A grid of side^2 cells over [low, high]^2 at height z(x, y) = height x y.
 [[nodiscard]] Scan grid(int side, double low, double high, double height);
 
+/// A double pyramid, its poles first, over a polygon that goes `laps` times round the axis.
+[[nodiscard]] Scan bipyramid(int corners, int laps);
+
+/// The same with nothing exactly over another: its poles are off the axis, its polygon is turned and lifted.
+[[nodiscard]] Scan bipyramid_off_centre(int corners, int laps);
+
 } // namespace foldless::test

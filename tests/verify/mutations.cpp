@@ -1,6 +1,7 @@
 #include "mutations.h"
 
 #include <foldless/decimate/decimate.h>
+#include <foldless/io/bounding_box.h>
 #include <foldless/io/float32.h>
 
 #include <algorithm>
@@ -135,7 +136,8 @@ void spoil_scan(Scan& scan, Mutation mutation, Random& random) {
         push(scan, {0.3, 0.9}, random);
     } else if (mutation == Mutation::scan_vertex_moved) {
         const std::int32_t vertex = used_vertex(scan.faces, random);
-        scan.positions[vertex] = to_float32(scan.positions[vertex] + 0.05 * diagonal(scan) * direction(random));
+        scan.positions[vertex] =
+            to_float32(scan.positions[vertex] + 0.05 * bounding_box_diagonal(scan) * direction(random));
     } else if (mutation == Mutation::scan_vertices_swapped) {
         const Triangle& face = scan.faces[index(random, scan.faces.size())];
         std::swap(scan.positions[face[0]], scan.positions[face[1]]);
@@ -185,7 +187,8 @@ void spoil_base(Pair& pair, Mutation mutation, Random& random) {
         break;
     }
     case Mutation::base_vertex_moved:
-        move_base_vertex(base, vertex, base.positions[vertex] + 0.05 * diagonal(pair.scan) * direction(random));
+        move_base_vertex(base, vertex,
+                         base.positions[vertex] + 0.05 * bounding_box_diagonal(pair.scan) * direction(random));
         break;
     case Mutation::range_cut: cut(base.ranges[index(random, base.ranges.size())], random); break;
     case Mutation::range_widened: widen(base.ranges[index(random, base.ranges.size())], random); break;

@@ -195,14 +195,4 @@ Scan without_star(const Scan& scan, std::int32_t vertex) {
     return result;
 }
 
-double diagonal(const Scan& scan) {
-    Vec3 low = scan.positions.front();
-    Vec3 high = low;
-    for (const Vec3& p : scan.positions) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    return (high - low).norm();
-}
-
 } // namespace foldless::test

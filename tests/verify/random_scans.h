@@ -37,7 +37,4 @@ using Random = std::mt19937_64;
 /// Leaves out the faces around a vertex; the vertex stays, unused.
 [[nodiscard]] Scan without_star(const Scan& scan, std::int32_t vertex);
 
-/// The length of the diagonal of the box around the scan.
-[[nodiscard]] double diagonal(const Scan& scan);
-
 } // namespace foldless::test

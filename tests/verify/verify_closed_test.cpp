@@ -202,22 +202,6 @@ TEST(Verify, FindsTwoSheetsOverOneComponentByItsDegreeAlone) {
     EXPECT_THAT(verify(two_octahedra(far), joined(sphere, scaled(sphere, 1.5))), HasOnly(Violation::degree));
 }
 
-/// A double pyramid, its poles first, over a polygon that goes `laps` times round the axis.
-Scan bipyramid(int corners, int laps) {
-    Scan scan{{{0, 0, 1}, {0, 0, -1}}, {}, false};
-    for (int k = 0; k < corners; ++k) {
-        const double angle = 2 * std::numbers::pi * laps * k / corners;
-        scan.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
-    }
-    for (int k = 0; k < corners; ++k) {
-        const std::int32_t a = 2 + k;
-        const std::int32_t b = 2 + (k + 1) % corners;
-        scan.faces.push_back({0, a, b});
-        scan.faces.push_back({1, b, a});
-    }
-    return scan;
-}
-
 TEST(Verify, FindsAStarThatWindsTwiceAroundAKeptVertex) {
     const Scan triangle = bipyramid(3, 1);
     BaseMesh base;
