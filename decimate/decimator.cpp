@@ -2,6 +2,7 @@
 
 #include <foldless/decimate/commit.h>
 #include <foldless/decimate/edge_order.h>
+#include <foldless/decimate/served_run.h>
 #include <foldless/decimate/vertex_directions.h>
 #include <foldless/decimate/visible_direction.h>
 
@@ -69,26 +70,50 @@ void Decimator::find_directions() {
             if (options_.directions == Directions::area || options_.directions == Directions::angle) {
                 chosen = vertex_normal(star, options_.directions);
             }
-            // Where nothing serves, any direction will do: the faces there represent themselves.
-            base_.vertex(v).direction = chosen ? stored_direction(*chosen) : Vec3(Vec3::UnitZ());
+            if (chosen) { // else freeze_faces_at() finds one for a part of the faces
+                base_.vertex(v).direction = stored_direction(*chosen);
+            }
         }
     });
     freeze_unserved(unserved);
 }
 
 void Decimator::freeze_unserved(const std::vector<char>& unserved) {
-    for (std::size_t v = 0; v < unserved.size(); ++v) {
-        if (options_.boundary == Boundary::lock && topology_.border_successor(static_cast<std::int32_t>(v)) >= 0) {
+    std::vector<char> frozen(scan_->faces.size(), 0);
+    for (std::size_t i = 0; i < unserved.size(); ++i) {
+        const auto v = static_cast<std::int32_t>(i);
+        if (options_.boundary == Boundary::lock && topology_.border_successor(v) >= 0) {
             mobility_[v] = Mobility::fixed;
         }
-        if (unserved[v] == 0) {
+        if (unserved[v] != 0) {
+            ++statistics_.unserved_vertices;
+            freeze_faces_at(v, frozen);
+        }
+    }
+}
+
+/// As few as must be, so that one direction serves the vertex for all others.
+void Decimator::freeze_faces_at(std::int32_t v, std::vector<char>& frozen) {
+    mobility_[v] = Mobility::fixed;
+    std::vector<std::int32_t> faces;
+    base_.append_faces_around(v, faces);
+    std::erase_if(faces, [&](std::int32_t f) { return frozen[f] != 0; });
+    if (faces.empty()) {
+        return;
+    }
+    normals_.clear();
+    for (const std::int32_t f : faces) {
+        normals_.push_back(validator_.scan_normal(f).value());
+    }
+    const ServedRun run = longest_served_run(normals_, !base_.is_border_vertex(v));
+    base_.vertex(v).direction = stored_direction(run.direction);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (run.contains(i, faces.size())) {
             continue;
         }
-        ++statistics_.unserved_vertices;
-        for (const std::int32_t f : topology_.faces_around(static_cast<std::int32_t>(v))) {
-            for (const std::int32_t corner : scan_->faces[f]) {
-                mobility_[corner] = Mobility::fixed;
-            }
+        frozen[faces[i]] = 1;
+        for (const std::int32_t corner : scan_->faces[faces[i]]) {
+            mobility_[corner] = Mobility::fixed;
         }
     }
 }

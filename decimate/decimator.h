@@ -34,6 +34,7 @@ public:
 private:
     void find_directions();
     void freeze_unserved(const std::vector<char>& unserved);
+    void freeze_faces_at(std::int32_t v, std::vector<char>& frozen);
 
     [[nodiscard]] bool ask(std::int32_t edge);
     [[nodiscard]] Extent extent_of(const Candidate& candidate) const;

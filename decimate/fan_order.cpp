@@ -119,6 +119,9 @@ Verdict FanOrder::no_sector_holds(std::size_t spoke, std::size_t first, std::siz
 
 Verdict FanOrder::find_cell(const Sighting& edge, const PatchedSurface& surface, int& cell) const {
     for (std::size_t c = 0; c < fan_->cells.size(); ++c) {
+        if (surface.cell(fan_->cells[c]).impassable) {
+            continue; // perhaps seen from behind: it then covers others
+        }
         const Sign from_right = follows(spokes_[c].sighting, edge);
         if (from_right == Sign::negative ||
             follows(edge, spokes_[(c + 1) % spokes_.size()].sighting) != Sign::positive) {
@@ -126,7 +129,7 @@ Verdict FanOrder::find_cell(const Sighting& edge, const PatchedSurface& surface,
         }
         if (from_right == Sign::positive) {
             cell = static_cast<int>(c);
-            return surface.cell(fan_->cells[c]).impassable ? Verdict::no_preimage : Verdict::accepted;
+            return Verdict::accepted;
         }
         return find_cell_along(c, edge, surface, cell);
     }
@@ -136,9 +139,6 @@ Verdict FanOrder::find_cell(const Sighting& edge, const PatchedSurface& surface,
 /// An edge that is seen along the base edge to spokes[c].
 Verdict FanOrder::find_cell_along(std::size_t c, const Sighting& edge, const PatchedSurface& surface, int& cell) const {
     const int left = fan_->cells[c];
-    if (surface.cell(left).impassable) {
-        return Verdict::tie;
-    }
     const Sign into_left = leaves_wall_into(surface.cell(left).triangle, surface.corner_of(left, vertex_),
                                             Displacement(), {&centre_, &edge.end});
     if (into_left == Sign::positive) {
