@@ -4,8 +4,10 @@
 #include <foldless/decimate/decimator.h>
 #include <foldless/decimate/local_order.h>
 #include <foldless/io/defects.h>
+#include <foldless/predicates/default_arithmetic.h>
 
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <chrono>
 #include <ctime>
@@ -27,24 +29,7 @@ private:
     std::clock_t cpu_ = std::clock();
 };
 
-} // namespace
-
-DecimateOptions paper_options() {
-    DecimateOptions options;
-    options.directions = Directions::area;
-    options.store_directions = false;
-    options.placement = Placement::midpoint;
-    options.unique_among_fold_free = true;
-    options.orientation_test = true;
-    options.edge_valence_limit = 12;
-    return options;
-}
-
-DecimateResult decimate(const Scan& scan, const DecimateOptions& options) {
-    std::optional<tbb::global_control> threads;
-    if (options.threads) {
-        threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*options.threads));
-    }
+DecimateResult run(const Scan& scan, const DecimateOptions& options) {
     const Stopwatch setup;
     require_no_defects(scan);
     const LocalOrder order = local_order(scan);
@@ -64,6 +49,29 @@ DecimateResult decimate(const Scan& scan, const DecimateOptions& options) {
     result.statistics.decimate_seconds = loop.wall();
     result.statistics.decimate_cpu_seconds = loop.cpu();
     return result;
+}
+
+} // namespace
+
+DecimateOptions paper_options() {
+    DecimateOptions options;
+    options.directions = Directions::area;
+    options.store_directions = false;
+    options.placement = Placement::midpoint;
+    options.unique_among_fold_free = true;
+    options.orientation_test = true;
+    options.edge_valence_limit = 12;
+    return options;
+}
+
+DecimateResult decimate(const Scan& scan, const DecimateOptions& options) {
+    const DefaultArithmetic arithmetic;
+    std::optional<tbb::global_control> threads;
+    if (options.threads) {
+        threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*options.threads));
+    }
+    tbb::task_arena arena; // its threads compute as this one does
+    return arena.execute([&] { return run(scan, options); });
 }
 
 } // namespace foldless

@@ -9,6 +9,7 @@
 #include <foldless/io/read_off.h>
 #include <foldless/io/read_ply.h>
 #include <foldless/io/read_stl.h>
+#include <foldless/predicates/default_arithmetic.h>
 
 #include <fmt/format.h>
 
@@ -92,12 +93,14 @@ void require_ranges(const std::filesystem::path& path, const RawMesh& mesh) {
 } // namespace
 
 ReadScan read_scan(const std::filesystem::path& path) {
+    const DefaultArithmetic arithmetic; // for the numbers in text
     RawMesh mesh = read_raw(path, Content::scan);
     const bool float32 = all_float32(mesh.positions);
     return {{std::move(mesh.positions), std::move(mesh.faces), float32}, std::move(mesh.notes)};
 }
 
 ReadBaseMesh read_base_mesh(const std::filesystem::path& path) {
+    const DefaultArithmetic arithmetic;
     RawMesh mesh = read_raw(path, Content::base_mesh);
     require_directions(path, mesh);
     if (!mesh.normals.empty() && !mesh.face_normals.empty()) {

@@ -28,10 +28,16 @@ ScanNormal::ScanNormal(const ScanTriangle& triangle)
                  component_error(max_norm(triangle[1] - triangle[0]), max_norm(triangle[2] - triangle[0]))) {}
 
 ScanNormal ScanNormal::normalised() const {
-    const double length = n_.norm();
+    const double size = max_norm(n_);
+    if (!(size > 0) || !std::isfinite(size)) {
+        return {Vec3::Zero(), std::numeric_limits<double>::infinity()};
+    }
+    // A power of two, so that no square leaves the range of doubles; of all else it changes nothing.
+    const int exponent = std::ilogb(size);
+    const Vec3 scaled = n_.unaryExpr([&](double component) { return std::ldexp(component, -exponent); });
+    const double length = scaled.norm();
     // One rounding in each quotient; what the bound holds beside the error of the components only adds to it.
-    return length > 0 ? ScanNormal(n_ / length, dot_error_ / length + unit_roundoff)
-                      : ScanNormal(Vec3::Zero(), std::numeric_limits<double>::infinity());
+    return {scaled / length, std::ldexp(dot_error_, -exponent) / length + unit_roundoff};
 }
 
 Sign seen_along(const Vec3& d, const ScanTriangle& triangle) {

@@ -9,8 +9,11 @@
 #include <foldless/verify/requirements.h>
 #include <foldless/verify/topology_checks.h>
 
+#include <foldless/predicates/default_arithmetic.h>
+
 #include <tbb/global_control.h>
 #include <tbb/info.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,10 +55,7 @@ void summarise_displacements(const Correspondents& all, const Adjacency& scan_ad
     result.rms_displacement = count == 0 ? 0.0 : std::sqrt(sum_of_squares / static_cast<double>(count));
 }
 
-} // namespace
-
-VerifyResult verify(const BaseMesh& base, const Scan& scan, const VerifyOptions& options) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count(options));
+VerifyResult run(const BaseMesh& base, const Scan& scan, const VerifyOptions& options) {
     require_usable(base, scan);
     VerifyResult result;
     Findings findings;
@@ -108,6 +108,15 @@ VerifyResult verify(const BaseMesh& base, const Scan& scan, const VerifyOptions&
     result.ambiguous_vertices = association.ambiguous_vertices;
     summarise_displacements(all, scan_adjacency, result);
     return result;
+}
+
+} // namespace
+
+VerifyResult verify(const BaseMesh& base, const Scan& scan, const VerifyOptions& options) {
+    const DefaultArithmetic arithmetic;
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count(options));
+    tbb::task_arena arena; // its threads compute as this one does
+    return arena.execute([&] { return run(base, scan, options); });
 }
 
 } // namespace foldless

@@ -42,6 +42,14 @@ TEST(ServedRun, LeavesOutTheFaceThatTurnsBack) {
     }
 }
 
+TEST(ServedRun, PassesOverFacesWithoutANormal) {
+    const Vec3 none = Vec3::Zero();
+    EXPECT_EQ(longest_served_run(std::vector<Vec3>{none, none}, true).count, 0);
+    const ServedRun run = longest_served_run(std::vector<Vec3>{none, in_plane(0), in_plane(10), none}, true);
+    EXPECT_EQ(run.first, 1);
+    EXPECT_EQ(run.count, 2);
+}
+
 TEST(ServedRun, IsTheFirstOfSeveral) {
     const std::vector<Vec3> normals{in_plane(0), in_plane(180), in_plane(0), in_plane(180)};
     const ServedRun run = longest_served_run(normals, true);
