@@ -24,6 +24,17 @@ const BaseVertex& vertex_of(const BaseSurface& base, const Patch& patch, std::in
     return base.vertex(v);
 }
 
+int valence(const BaseSurface& base, std::int32_t v) {
+    return static_cast<int>(base.connectivity().valence(OpenMesh::VertexHandle(v)));
+}
+
+bool is_beside_crowded_vertex(const BaseSurface& base, const Collapse& collapse) {
+    std::vector<std::int32_t> rim;
+    rim_of(base, collapse, rim);
+    return std::any_of(rim.begin(), rim.end(),
+                       [&](std::int32_t v) { return valence(base, v) > most_edges_at_a_vertex; });
+}
+
 } // namespace
 
 Collapse reversed(const BaseSurface& base, const Collapse& collapse) {
@@ -46,12 +57,13 @@ Verdict make_collapse(BaseSurface& base, std::int32_t edge, const CollapseRules&
     if (mobility[out.gone] == Mobility::fixed || (border_gone && !border_stays)) {
         out = reversed(base, out);
     }
-    const auto valence = [&](std::int32_t v) { return static_cast<int>(mesh.valence(OpenMesh::VertexHandle(v))); };
-    if (valence(out.gone) + valence(out.stays) - 1 >= rules.edge_valence_limit) {
+    if (valence(base, out.gone) + valence(base, out.stays) - 1 >= rules.edge_valence_limit ||
+        (rules.has_crowded_vertices && is_beside_crowded_vertex(base, out))) {
         return Verdict::valence;
     }
     // A closed component of four faces would become two faces on the same corners, which OpenMesh does not see.
-    const bool tetrahedron = !border_gone && !border_stays && valence(out.gone) == 3 && valence(out.stays) == 3;
+    const bool tetrahedron =
+        !border_gone && !border_stays && valence(base, out.gone) == 3 && valence(base, out.stays) == 3;
     return !tetrahedron && base.connectivity().is_collapse_ok(out.halfedge) ? Verdict::accepted
                                                                             : Verdict::link_condition;
 }

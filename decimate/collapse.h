@@ -32,7 +32,12 @@ enum class Mobility : unsigned char { free, fixed };
 struct CollapseRules {
     std::span<const Mobility> mobility; ///< per base vertex
     int edge_valence_limit;             ///< val(a) + val(b) - 1 stays below it
+    bool has_crowded_vertices = false;  ///< somewhere: nothing collapses next to one
 };
+
+/// A vertex with more edges than these is crowded: every question about the patches around it would look at all of its
+/// faces, and the time for all of them would grow with the square of their number or faster.
+inline constexpr int most_edges_at_a_vertex = 1000;
 
 /// Chooses which end of the edge stays, a fixed one if there is one, and applies the guards of topology: `frozen`,
 /// `boundary`, `valence`, `link_condition`, in this order.

@@ -30,6 +30,15 @@ std::array<Vec3, 3> from_corner(const Triangle& corners, const std::array<Vec3, 
     return {positions[k], positions[(k + 1) % 3], positions[(k + 2) % 3]};
 }
 
+bool has_crowded_vertices(const ScanTopology& topology, const Scan& scan) {
+    for (std::size_t v = 0; v < scan.positions.size(); ++v) {
+        if (topology.faces_around(static_cast<std::int32_t>(v)).size() > most_edges_at_a_vertex) {
+            return true;
+        }
+    }
+    return false;
+}
+
 ValidatorOptions validator_options(const DecimateOptions& options) {
     return {options.unique_among_fold_free ? Uniqueness::fold_free : Uniqueness::in_range,
             options.directions == Directions::face, options.boundary == Boundary::trim, options.orientation_test,
@@ -41,9 +50,10 @@ ValidatorOptions validator_options(const DecimateOptions& options) {
 Decimator::Decimator(const Scan& scan, const DecimateOptions& options)
     : scan_(&scan), options_(options), topology_(scan), base_(scan), origin_(scan.positions[scan.faces[0][0]]),
       good_enough_(std::pow(good_enough * bounding_box_diagonal(scan), 2)),
-      mobility_(scan.positions.size(), Mobility::free), quadrics_(vertex_quadrics(scan, origin_)),
-      queue_(base_.connectivity().n_edges()), validator_(base_, scan, topology_, validator_options(options)),
-      face_count_(scan.faces.size()), start_(std::chrono::steady_clock::now()) {
+      mobility_(scan.positions.size(), Mobility::free), has_crowded_vertices_(has_crowded_vertices(topology_, scan)),
+      quadrics_(vertex_quadrics(scan, origin_)), queue_(base_.connectivity().n_edges()),
+      validator_(base_, scan, topology_, validator_options(options)), face_count_(scan.faces.size()),
+      start_(std::chrono::steady_clock::now()) {
     find_directions();
     enter_all_edges(base_, queue_);
 }
@@ -155,7 +165,8 @@ StopReason Decimator::run() {
 
 bool Decimator::ask(std::int32_t edge) {
     Collapse collapse;
-    Verdict verdict = make_collapse(base_, edge, {mobility_, options_.edge_valence_limit}, collapse);
+    Verdict verdict =
+        make_collapse(base_, edge, {mobility_, options_.edge_valence_limit, has_crowded_vertices_}, collapse);
     if (verdict != Verdict::accepted) {
         ++statistics_.refused[static_cast<std::size_t>(verdict)];
         return false;

@@ -54,6 +54,7 @@ private:
     Vec3 origin_;        ///< of the quadrics
     double good_enough_; ///< squared distance
     std::vector<Mobility> mobility_;
+    bool has_crowded_vertices_;
     std::vector<Quadric> quadrics_;
     EdgeQueue queue_;
     Validator validator_;

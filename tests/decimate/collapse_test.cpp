@@ -30,7 +30,7 @@ Asked ask(World& world, std::int32_t a, std::int32_t b, const std::vector<std::i
         mobility[v] = Mobility::fixed;
     }
     Asked asked{};
-    asked.verdict = make_collapse(world.base(), world.edge(a, b), {mobility, valence_limit}, asked.collapse);
+    asked.verdict = make_collapse(world.base(), world.edge(a, b), {mobility, valence_limit, true}, asked.collapse);
     return asked;
 }
 
@@ -50,6 +50,13 @@ TEST(MakeCollapse, RefusesAnEdgeOfATriangleThatIsNoFace) {
 TEST(MakeCollapse, AcceptsTheEdgesOfAnOctahedron) {
     World world(test::bumpy_sphere(0));
     EXPECT_EQ(ask(world, 0, 2).verdict, Verdict::accepted);
+}
+
+TEST(MakeCollapse, RefusesAnEdgeBesideAVertexOfMoreThanAThousandEdges) {
+    World world(test::spindle(most_edges_at_a_vertex, 1));
+    EXPECT_EQ(ask(world, 2, 3).verdict, Verdict::accepted);
+    World crowded(test::spindle(most_edges_at_a_vertex + 1, 1));
+    EXPECT_EQ(ask(crowded, 2, 3).verdict, Verdict::valence);
 }
 
 TEST(MakeCollapse, RefusesAnInnerEdgeBetweenBorderVertices) {
