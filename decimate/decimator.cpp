@@ -4,9 +4,9 @@
 #include <foldless/decimate/edge_order.h>
 #include <foldless/decimate/served_run.h>
 #include <foldless/decimate/vertex_directions.h>
-#include <foldless/decimate/visible_direction.h>
 
 #include <foldless/io/bounding_box.h>
+#include <foldless/predicates/visible_direction.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -1,4 +1,4 @@
-#include <foldless/decimate/visible_direction.h>
+#include <foldless/predicates/visible_direction.h>
 
 #include <algorithm>
 #include <array>
