@@ -1,22 +1,10 @@
 #include <foldless/decimate/scan_topology.h>
 
+#include <foldless/io/corner.h>
+
 #include <algorithm>
 
 namespace foldless {
-namespace {
-
-/// Whether a face runs along the edge from a to b in this direction.
-bool runs_along(const Triangle& face, std::int32_t a, std::int32_t b) {
-    for (int k = 0; k < 3; ++k) {
-        if (face[k] == a && face[(k + 1) % 3] == b) {
-            return true;
-        }
-    }
-    return false;
-}
-
-} // namespace
-
 ScanTopology::ScanTopology(const Scan& scan)
     : offsets_(scan.positions.size() + 1, 0), faces_(3 * scan.faces.size()),
       border_successor_(scan.positions.size(), -1) {

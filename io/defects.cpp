@@ -1,5 +1,6 @@
 #include <foldless/io/defects.h>
 
+#include <foldless/io/corner.h>
 #include <foldless/io/edge_table.h>
 #include <foldless/io/printable.h>
 #include <foldless/io/union_find.h>
@@ -143,19 +144,13 @@ private:
 
     [[nodiscard]] const Vec3& position(std::int32_t vertex) const { return scan_.positions[number(vertex)]; }
 
-    /// Which corner of the face the vertex is.
-    [[nodiscard]] std::uint32_t place(std::int32_t face, std::int32_t vertex) const {
-        const Triangle& triangle = scan_.faces[number(face)];
-        return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
-    }
-
     [[nodiscard]] std::uint32_t corner(std::int32_t face, std::int32_t vertex) const {
-        return 3 * number(face) + place(face, vertex);
+        return corner_of(scan_.faces[number(face)], face, vertex);
     }
 
     /// Whether the face runs from a to b.
     [[nodiscard]] bool ascends(std::int32_t face, std::int32_t a, std::int32_t b) const {
-        return scan_.faces[number(face)][(place(face, a) + 1) % 3] == b;
+        return runs_along(scan_.faces[number(face)], a, b);
     }
 
     const Scan& scan_;

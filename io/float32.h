@@ -4,8 +4,10 @@
 
 #include <foldless/predicates/vector.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace foldless {
 
@@ -26,6 +28,11 @@ namespace foldless {
 /// True if all three coordinates are float32 values.
 [[nodiscard]] inline bool is_float32(const Vec3& value) {
     return is_float32(value.x()) && is_float32(value.y()) && is_float32(value.z());
+}
+
+/// True if every coordinate is a float32 value.
+[[nodiscard]] inline bool all_float32(const std::vector<Vec3>& values) {
+    return std::ranges::all_of(values, [](const Vec3& value) { return is_float32(value); });
 }
 
 /// The nearest float32 values.

@@ -49,10 +49,6 @@ RawMesh read_raw(const std::filesystem::path& path, Content content) {
     return mesh;
 }
 
-bool all_float32(const std::vector<Vec3>& positions) {
-    return std::ranges::all_of(positions, [](const Vec3& position) { return is_float32(position); });
-}
-
 [[noreturn]] void refuse(const std::filesystem::path& path, std::string_view reason) {
     throw RefusedMesh(fmt::format("{}: {}", printable(path), reason));
 }

@@ -18,10 +18,6 @@ namespace {
     throw UnwritableFile(fmt::format("{}: cannot be written: {}", printable(path), reason));
 }
 
-bool holds_float32(const std::vector<Vec3>& values) {
-    return std::ranges::all_of(values, [](const Vec3& value) { return is_float32(value); });
-}
-
 FileType require_file_type(const std::filesystem::path& path, bool face_directions) {
     const FileType type = file_type(path);
     if (type != FileType::ply && type != FileType::obj) {
@@ -48,8 +44,8 @@ void require_lengths(const std::filesystem::path& path, const BaseMesh& base) {
 void require_exact(const std::filesystem::path& path, const BaseMesh& base) {
     const bool ranges = std::ranges::all_of(
         base.ranges, [](const Range& range) { return is_float32(range.lo) && is_float32(range.hi); });
-    if ((base.float32 && !holds_float32(base.positions)) || !holds_float32(base.directions) ||
-        !holds_float32(base.face_directions) || !ranges) {
+    if ((base.float32 && !all_float32(base.positions)) || !all_float32(base.directions) ||
+        !all_float32(base.face_directions) || !ranges) {
         fail(path, "the base mesh has values that float32 does not hold");
     }
 }

@@ -36,7 +36,7 @@ endfunction()
 
 # The walk itself is tested on the layers whose order is known.
 foldless_link_closure(foldless_report closure)
-foreach(layer predicates io decimate verify)
+foreach(layer predicates io decimate verify repair)
   if(NOT foldless_${layer} IN_LIST closure)
     message(FATAL_ERROR "the walk over linked libraries misses foldless_${layer} below foldless_report")
   endif()

@@ -12,14 +12,15 @@ import sys
 from pathlib import Path
 
 # Each layer and what it may include besides itself. decimate and verify know nothing of each other: the one is the
-# independent judge of the other.
+# independent judge of the other. Neither knows of repair, which happens only when it is asked for.
 MAY_INCLUDE = {
     "predicates": set(),
     "io": {"predicates"},
     "decimate": {"predicates", "io"},
     "verify": {"predicates", "io"},
-    "report": {"predicates", "io", "decimate", "verify"},
-    "tools": {"predicates", "io", "decimate", "verify", "report"},
+    "repair": {"predicates", "io"},
+    "report": {"predicates", "io", "decimate", "verify", "repair"},
+    "tools": {"predicates", "io", "decimate", "verify", "repair", "report"},
     "models": {"predicates", "io"},
 }
 

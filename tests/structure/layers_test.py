@@ -41,6 +41,13 @@ class LayersTest(unittest.TestCase):
         self.write("verify/a.h", "# include <foldless/decimate/a.h>\n")
         self.assert_breach("verify/a.h:1:", "decimate is not below verify")
 
+    def test_nobody_repairs_unasked(self):
+        for layer in ("decimate", "verify"):
+            with self.subTest(layer=layer):
+                self.write(f"{layer}/a.cpp", "#include <foldless/repair/repair.h>\n")
+                self.assert_breach(f"{layer}/a.cpp:1:", f"repair is not below {layer}")
+                self.write(f"{layer}/a.cpp", "")
+
     def test_a_layer_must_not_include_one_above(self):
         for lower, upper in [("predicates", "io"), ("io", "decimate"), ("verify", "report"), ("report", "tools")]:
             with self.subTest(lower=lower, upper=upper):

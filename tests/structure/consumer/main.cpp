@@ -1,5 +1,6 @@
-// An outside program: decimates a cube whose sides are grids, and has the result verified.
+// An outside program: repairs a cube whose sides are grids, decimates it, and has the result verified.
 #include <foldless/decimate/decimate.h>
+#include <foldless/repair/repair.h>
 #include <foldless/verify/verify.h>
 
 #include <array>
@@ -63,7 +64,7 @@ foldless::Scan cube() {
 } // namespace
 
 int main() {
-    const foldless::Scan scan = cube();
+    const foldless::Scan scan = foldless::repair(cube()).scan;
     const foldless::DecimateResult result = foldless::decimate(scan);
     const foldless::VerifyResult proof = foldless::verify(result.base, scan);
     std::printf("%zu faces in, %zu faces out, %zu violations\n", scan.faces.size(), result.base.faces.size(),
