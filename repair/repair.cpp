@@ -16,6 +16,9 @@
 namespace foldless {
 
 RepairResult repair(Scan scan, const RepairOptions& options) {
+    if (scan.faces.empty()) {
+        throw RefusedMesh("no faces");
+    }
     RepairCounts counts;
     drop_bad_faces(scan, counts);
     drop_duplicate_faces(scan, counts);
@@ -29,7 +32,7 @@ RepairResult repair(Scan scan, const RepairOptions& options) {
     drop_small_components(scan, options.min_component_faces, counts);
     drop_unused_vertices(scan, counts);
     if (scan.faces.empty()) {
-        throw RefusedMesh(counts.any() ? fmt::format("no face is left by the repair: {}", counts.text()) : "no faces");
+        throw RefusedMesh(fmt::format("no face is left by the repair: {}", counts.text()));
     }
     scan.float32 = all_float32(scan.positions);
     return {std::move(scan), counts};

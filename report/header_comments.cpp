@@ -25,4 +25,13 @@ std::vector<std::string> header_comments(Preset preset, const DecimateOptions& o
     return lines;
 }
 
+std::vector<std::string> header_comments(const RepairOptions& options) {
+    return {
+        fmt::format("foldless {}", version()),
+        "repaired scan",
+        fmt::format("min-component-faces {}", options.min_component_faces),
+        fmt::format("drop-unserved {}", options.drop_unserved ? "yes" : "no"),
+    };
+}
+
 } // namespace foldless

@@ -58,7 +58,7 @@ void add_topology(Json& json, const Topology& topology) {
     json["euler_characteristic"] = topology.euler_characteristic;
 }
 
-Json input_json(const InputRecord& input) {
+Json mesh_json(const InputRecord& input) {
     Json json{{"path", input.path}, {"vertices", input.vertices}, {"faces", input.faces}};
     add_topology(json, input.topology);
     return json;
@@ -149,6 +149,18 @@ Json defects_json(const Defects& defects) {
             {"non_orientable_components", defects.non_orientable_components}};
 }
 
+Json repairs_json(const RepairCounts& counts) {
+    Json json = Json::object();
+    for (const RepairCountName& name : repair_count_names) {
+        json[name.key] = counts.*name.count;
+    }
+    return json;
+}
+
+Json outlook_json(const RepairOutlook& outlook) {
+    return {{"vertices", outlook.vertices}, {"faces", outlook.faces}, {"repairs", repairs_json(outlook.counts)}};
+}
+
 Json notes_json(const ReadNotes& notes) {
     return {{"fanned_polygons", notes.fanned_polygons},
             {"welded_vertices", notes.welded_vertices},
@@ -164,7 +176,7 @@ std::string text_of(const Json& json) {
 std::string json_report(const SimplifyRecord& record) {
     Json json = heading("simplify");
     json["options"] = options_json(record.preset, record.options, record.certificate.has_value());
-    json["input"] = input_json(record.input);
+    json["input"] = mesh_json(record.input);
     json["output"] = output_json(record.output);
     json["unserved_vertices"] = record.statistics.unserved_vertices;
     json["decimation_rate"] = decimation_rate(record.input, record.output);
@@ -188,12 +200,28 @@ std::string json_report(const SimplifyRecord& record) {
 std::string json_report(const VerifyRecord& record) {
     Json json = heading("verify");
     json["options"] = Json::object();
-    json["input"] = input_json(record.input);
+    json["input"] = mesh_json(record.input);
     json["output"] = output_json(record.output);
     json["decimation_rate"] = decimation_rate(record.input, record.output);
     json["displacement"] = displacement_json(record.displacement);
     json["certificate"] = certificate_json(record.certificate);
     const NamedTime phases[]{{"read", record.usage.times.read}, {"verify", record.usage.times.verify}};
+    add_usage(json, record.usage, phases);
+    return text_of(json);
+}
+
+std::string json_report(const RepairRecord& record) {
+    Json json = heading("repair");
+    json["options"] = {{"min_component_faces", record.options.min_component_faces},
+                       {"drop_unserved", record.options.drop_unserved}};
+    json["input"] = {{"path", record.input.path},
+                     {"vertices", record.input.vertices},
+                     {"faces", record.input.faces},
+                     {"defects", defects_json(record.defects)}};
+    json["repairs"] = repairs_json(record.counts);
+    json["output"] = mesh_json(record.output);
+    const PhaseTimes& times = record.usage.times;
+    const NamedTime phases[]{{"read", times.read}, {"repair", times.repair}, {"write", times.write}};
     add_usage(json, record.usage, phases);
     return text_of(json);
 }
@@ -211,6 +239,7 @@ std::string json_report(const InfoRecord& record) {
     json["defects"] = defects_json(record.inspection.defects);
     json["accepted"] = record.refusal.empty();
     json["refusal"] = text_or_null(record.refusal);
+    json["repair"] = record.repair ? outlook_json(*record.repair) : Json(nullptr);
     json["directions"] = directions_word(record.directions);
     json["ranges"] = record.has_ranges;
     json["notes"] = notes_json(record.notes);

@@ -12,6 +12,7 @@ namespace foldless {
 /// path that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_report(const SimplifyRecord& record);
 [[nodiscard]] std::string json_report(const VerifyRecord& record);
+[[nodiscard]] std::string json_report(const RepairRecord& record);
 [[nodiscard]] std::string json_report(const InfoRecord& record);
 
 } // namespace foldless

@@ -19,6 +19,7 @@ struct PhaseTimes {
     PhaseTime decimate;
     PhaseTime verify;
     PhaseTime write;
+    PhaseTime repair;
 };
 
 /// Measures from its construction, or from the last lap.

@@ -5,6 +5,7 @@
 #include <foldless/decimate/decimate.h>
 #include <foldless/io/defects.h>
 #include <foldless/io/read_mesh.h>
+#include <foldless/repair/repair.h>
 #include <foldless/report/displacement.h>
 #include <foldless/report/phase_times.h>
 #include <foldless/report/preset.h>
@@ -61,6 +62,23 @@ struct VerifyRecord {
     Usage usage;
 };
 
+/// A run of `foldless repair`.
+struct RepairRecord {
+    RepairOptions options;
+    InputRecord input; ///< without topology: a mesh with defects has none
+    Defects defects;   ///< of the input
+    RepairCounts counts;
+    InputRecord output; ///< as it will be read
+    Usage usage;
+};
+
+/// What `foldless repair` would make of a mesh.
+struct RepairOutlook {
+    std::size_t vertices = 0;
+    std::size_t faces = 0;
+    RepairCounts counts;
+};
+
 /// The answer of `foldless info`.
 struct InfoRecord {
     enum class DirectionsFound { none, vertices, faces };
@@ -72,7 +90,8 @@ struct InfoRecord {
     double diagonal = 0.0; ///< of the bounding box of the vertices that faces use, model units
     Inspection inspection;
     ReadNotes notes;
-    std::string refusal; ///< why `simplify` would refuse the mesh; empty if it would not
+    std::string refusal;                 ///< why `simplify` would refuse the mesh; empty if it would not
+    std::optional<RepairOutlook> repair; ///< what would make a refused mesh acceptable; no value: no repair would
     DirectionsFound directions = DirectionsFound::none;
     bool has_ranges = false;
 };

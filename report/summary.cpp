@@ -107,6 +107,13 @@ std::string located_text(const LocatedViolation& found) {
            fmt::format(", at ({:.9g}, {:.9g}, {:.9g})", found.position.x(), found.position.y(), found.position.z());
 }
 
+/// What would make a refused mesh acceptable.
+std::string outlook_text(const std::optional<RepairOutlook>& outlook) {
+    return outlook ? fmt::format("foldless repair would make it acceptable: {}; {} left", outlook->counts.text(),
+                                 size_text(outlook->vertices, outlook->faces))
+                   : "foldless repair would refuse this mesh, too";
+}
+
 std::string directions_text(const InfoRecord& record) {
     const bool on_faces = record.directions == InfoRecord::DirectionsFound::faces;
     return fmt::format("normals or displacement directions per {}, {} of displacements", on_faces ? "face" : "vertex",
@@ -172,6 +179,16 @@ Lines summary(const SimplifyRecord& record) {
     return lines;
 }
 
+Lines summary(const RepairRecord& record) {
+    const auto& [path, vertices, faces, topology] = record.output;
+    return {
+        fmt::format("{}: {}, {}", printable(record.input.path), size_text(record.input.vertices, record.input.faces),
+                    record.defects.any() ? record.defects.text() : "no defects"),
+        record.counts.any() ? record.counts.text() : "nothing to repair",
+        fmt::format("{}: {}, {}", printable(path), size_text(vertices, faces), topology_text(topology)),
+    };
+}
+
 Lines summary(const InfoRecord& record) {
     Lines lines{fmt::format("{}: {}", printable(record.path), size_text(record.vertices, record.faces))};
     if (record.refusal.empty()) {
@@ -185,8 +202,12 @@ Lines summary(const InfoRecord& record) {
     if (const std::string notes = notes_text(record.notes); !notes.empty()) {
         lines.push_back(notes);
     }
-    lines.push_back(record.refusal.empty() ? "simplify accepts this mesh"
-                                           : fmt::format("simplify refuses this mesh: {}", record.refusal));
+    if (record.refusal.empty()) {
+        lines.emplace_back("simplify accepts this mesh");
+        return lines;
+    }
+    lines.push_back(fmt::format("simplify refuses this mesh: {}", record.refusal));
+    lines.push_back(outlook_text(record.repair));
     return lines;
 }
 

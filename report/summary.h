@@ -24,6 +24,7 @@ using Lines = std::vector<std::string>;
 [[nodiscard]] std::string certificate_text(const VerifyResult& result);
 
 [[nodiscard]] Lines summary(const SimplifyRecord& record);
+[[nodiscard]] Lines summary(const RepairRecord& record);
 [[nodiscard]] Lines summary(const InfoRecord& record);
 
 } // namespace foldless

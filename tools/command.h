@@ -3,6 +3,7 @@
 #pragma once
 
 #include <foldless/decimate/decimate.h>
+#include <foldless/repair/repair.h>
 #include <foldless/report/run_record.h>
 
 #include <cstddef>
@@ -43,6 +44,15 @@ struct VerifyCommand {
     bool quiet = false;
 };
 
+/// `foldless repair`
+struct RepairCommand {
+    std::filesystem::path scan;
+    std::filesystem::path output;
+    std::optional<std::filesystem::path> report;
+    RepairOptions options;
+    bool quiet = false;
+};
+
 /// `foldless info`
 struct InfoCommand {
     std::filesystem::path mesh;
@@ -54,6 +64,6 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<SimplifyCommand, VerifyCommand, InfoCommand, PrintCommand>;
+using Command = std::variant<SimplifyCommand, VerifyCommand, RepairCommand, InfoCommand, PrintCommand>;
 
 } // namespace foldless

@@ -6,6 +6,7 @@
 #include <foldless/report/version.h>
 #include <foldless/tools/distinct_files.h>
 #include <foldless/tools/option_values.h>
+#include <foldless/tools/repair_arguments.h>
 #include <foldless/tools/simplify_arguments.h>
 #include <foldless/tools/wrong_usage.h>
 
@@ -111,6 +112,19 @@ void declare_verify(CLI::App& app, VerifyArguments& arguments) {
     app.add_flag("--quiet", arguments.quiet, "print violations and errors only");
 }
 
+void declare_repair(CLI::App& app, RepairArguments& arguments) {
+    app.add_option("SCAN", arguments.scan, "the scan: .ply, .obj, .off or .stl")->required();
+    app.add_option("-o,--output", arguments.output, "the repaired scan to write: .ply or .obj")
+        ->required()
+        ->type_name("OUT");
+    app.add_option("--min-component-faces", arguments.min_component_faces, "drop components of fewer than N faces")
+        ->type_name("N");
+    app.add_flag("--drop-unserved", arguments.drop_unserved,
+                 "drop the faces around vertices whose faces no displacement direction sees all");
+    app.add_option("--report", arguments.report, "write a report")->type_name("FILE.json");
+    app.add_flag("--quiet", arguments.quiet, "print errors only");
+}
+
 void declare_info(CLI::App& app, InfoArguments& arguments) {
     app.add_option("MESH", arguments.mesh, "a scan or a base mesh")->required();
     app.add_flag("--json", arguments.json, "print a report for other programs");
@@ -159,15 +173,18 @@ private:
                   "foldless"};
     SimplifyArguments simplify_;
     VerifyArguments verify_;
+    RepairArguments repair_;
     InfoArguments info_;
     CLI::App* simplify_app_;
     CLI::App* verify_app_;
+    CLI::App* repair_app_;
     CLI::App* info_app_;
 };
 
 Parser::Parser()
     : simplify_app_(add_command("simplify", "decimate a scan into a displacement-mappable base mesh")),
       verify_app_(add_command("verify", "re-prove, from the files alone, that BASE represents SCAN")),
+      repair_app_(add_command("repair", "write a scan without the defects for which simplify refuses it")),
       info_app_(add_command("info", "counts, topology, defects, and what simplify would say of a mesh")) {
     app_.set_version_flag("--version", fmt::format("foldless {}", version()), "print the version and exit");
     app_.set_help_flag("-h,--help", "print this help and exit");
@@ -175,6 +192,7 @@ Parser::Parser()
     app_.footer(exit_codes);
     declare_simplify(*simplify_app_, simplify_);
     declare_verify(*verify_app_, verify_);
+    declare_repair(*repair_app_, repair_);
     declare_info(*info_app_, info_);
 }
 
@@ -223,10 +241,13 @@ Command Parser::parse(int argc, const char* const* argv) {
     if (*verify_app_) {
         return verify_command(verify_);
     }
+    if (*repair_app_) {
+        return repair_command(repair_);
+    }
     if (*info_app_) {
         return InfoCommand{file_name({"MESH", info_.mesh}), info_.json};
     }
-    throw WrongUsage("a command is missing: simplify, verify or info (see foldless --help)");
+    throw WrongUsage("a command is missing: simplify, verify, repair or info (see foldless --help)");
 }
 
 } // namespace

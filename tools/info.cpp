@@ -4,12 +4,16 @@
 #include <foldless/io/errors.h>
 #include <foldless/io/file_type.h>
 #include <foldless/io/read_mesh.h>
+#include <foldless/repair/repair.h>
 #include <foldless/report/json_report.h>
 #include <foldless/report/summary.h>
 #include <foldless/tools/standard_streams.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <optional>
+#include <utility>
 
 namespace foldless {
 
@@ -32,7 +36,17 @@ void add_base_mesh(InfoRecord& record, const std::filesystem::path& path) {
     }
 }
 
-void add_scan(InfoRecord& record, const ReadScan& read) {
+/// What a repair with no options would make of a mesh with defects; nothing if no face would be left.
+std::optional<RepairOutlook> outlook_of(Scan scan) {
+    try {
+        const RepairResult result = repair(std::move(scan));
+        return RepairOutlook{result.scan.positions.size(), result.scan.faces.size(), result.counts};
+    } catch (const RefusedMesh&) {
+        return std::nullopt;
+    }
+}
+
+void add_scan(InfoRecord& record, ReadScan read) {
     record.vertices = read.scan.positions.size();
     record.faces = read.scan.faces.size();
     record.float32 = read.scan.float32;
@@ -41,6 +55,8 @@ void add_scan(InfoRecord& record, const ReadScan& read) {
     record.refusal = record.inspection.defects.text();
     if (record.refusal.empty()) {
         record.diagonal = bounding_box_diagonal(read.scan);
+    } else {
+        record.repair = outlook_of(std::move(read.scan));
     }
 }
 

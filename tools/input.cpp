@@ -14,17 +14,22 @@
 
 namespace foldless {
 
-Input read_input(const std::filesystem::path& path, const Console& console) {
+Scan read_noting(const std::filesystem::path& path, const Console& console) {
     ReadScan read = read_scan(path);
     if (const std::string notes = notes_text(read.notes); !notes.empty()) {
         console.note(fmt::format("{}: {}", printable(path), notes));
     }
-    const Inspection inspection = inspect(read.scan);
+    return std::move(read.scan);
+}
+
+Input read_input(const std::filesystem::path& path, const Console& console) {
+    Scan scan = read_noting(path, console);
+    const Inspection inspection = inspect(scan);
     if (inspection.defects.any()) {
         throw RefusedMesh(fmt::format("{}: {}", printable(path), inspection.defects.text()));
     }
-    InputRecord record{path.string(), read.scan.positions.size(), read.scan.faces.size(), inspection.topology};
-    return {std::move(read.scan), std::move(record)};
+    InputRecord record{path.string(), scan.positions.size(), scan.faces.size(), inspection.topology};
+    return {std::move(scan), std::move(record)};
 }
 
 int threads_to_use(std::optional<int> asked_for) {

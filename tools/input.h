@@ -15,7 +15,11 @@ struct Input {
     InputRecord record;
 };
 
-/// Reads a scan, says what was ignored of it, and inspects it.
+/// Reads a scan, which may have defects, and says what was ignored of it.
+/// \throws UnreadableFile, RefusedMesh for polygons that are no triangles
+[[nodiscard]] Scan read_noting(const std::filesystem::path& path, const Console& console);
+
+/// The same with the inspection of a scan that must have no defects.
 /// \throws UnreadableFile, RefusedMesh with each defect counted by name
 [[nodiscard]] Input read_input(const std::filesystem::path& path, const Console& console);
 

@@ -5,6 +5,7 @@
 #include <foldless/tools/exit_code.h>
 #include <foldless/tools/failure.h>
 #include <foldless/tools/info.h>
+#include <foldless/tools/repair.h>
 #include <foldless/tools/signals.h>
 #include <foldless/tools/simplify.h>
 #include <foldless/tools/standard_streams.h>

@@ -112,6 +112,7 @@ TEST(Repair, RefusesAMeshOfWhichNothingIsLeft) {
         return "no refusal";
     };
     EXPECT_EQ(message_of({}), "no faces");
+    EXPECT_EQ(message_of({{{0, 0, 0}, {1, 0, 0}}, {}}), "no faces");
     EXPECT_EQ(message_of(mesh({{0, 1, 1}})),
               "no face is left by the repair: 1 face with a repeated index dropped, 2 unused vertices dropped");
 }

@@ -151,6 +151,36 @@ TEST(InfoReport, TellsTopologyOfAnAcceptedMeshOnly) {
     EXPECT_EQ(parsed(record)["defects"]["zero_area"], 3);
 }
 
+TEST(InfoReport, TellsWhichRepairWouldMakeAMeshAcceptable) {
+    InfoRecord record = info_record();
+    EXPECT_TRUE(parsed(record)["repair"].is_null());
+    record.refusal = "3 zero-area faces";
+    EXPECT_TRUE(parsed(record)["repair"].is_null()) << "no repair would";
+    record.repair = RepairOutlook{9, 8, {}};
+    record.repair->counts.zero_area_faces = 3;
+    EXPECT_EQ(parsed(record)["repair"]["vertices"], 9);
+    EXPECT_EQ(parsed(record)["repair"]["faces"], 8);
+    EXPECT_EQ(parsed(record)["repair"]["repairs"]["zero_area_faces"], 3);
+}
+
+TEST(RepairReport, HasEveryCountUnderItsName) {
+    const auto report = parsed(repair_record());
+    EXPECT_EQ(report["command"], "repair");
+    EXPECT_EQ(report["options"]["min_component_faces"], 21);
+    EXPECT_EQ(report["options"]["drop_unserved"], false);
+    EXPECT_EQ(report["input"]["faces"], 200);
+    EXPECT_EQ(report["input"]["defects"]["zero_area"], 22);
+    EXPECT_EQ(report["repairs"].size(), repair_count_names.size());
+    std::size_t number = 30;
+    for (const RepairCountName& name : repair_count_names) {
+        EXPECT_EQ(report["repairs"][name.key], number++) << name.key;
+    }
+    EXPECT_EQ(report["output"]["faces"], 190);
+    EXPECT_EQ(report["output"]["boundary_edges"], 40);
+    EXPECT_EQ(report["seconds"]["repair"], 6.5);
+    EXPECT_EQ(report["cpu_seconds"]["write"], 5.25);
+}
+
 } // namespace
 
 } // namespace foldless

@@ -36,7 +36,7 @@ inline SimplifyRecord simplify_record() {
     record.statistics.unserved_vertices = 6;
     record.displacement = {-0.5, 0.75, 0.125, 0.01};
     record.certificate = clean_result();
-    record.usage = {{{1.5, 1.25}, {2.5, 2.25}, {3.5, 3.25}, {4.5, 4.25}, {5.5, 5.25}}, 64'000'000, 8};
+    record.usage = {{{1.5, 1.25}, {2.5, 2.25}, {3.5, 3.25}, {4.5, 4.25}, {5.5, 5.25}, {}}, 64'000'000, 8};
     return record;
 }
 
@@ -46,7 +46,21 @@ inline VerifyRecord verify_record() {
     record.output = {"base.ply", 31, 50, 12};
     record.displacement = {-0.5, 0.75, 0.125, 0.01};
     record.certificate = violated_result();
-    record.usage = {{{1.5, 1.25}, {}, {}, {4.5, 4.25}, {}}, 64'000'000, 8};
+    record.usage = {{{1.5, 1.25}, {}, {}, {4.5, 4.25}, {}, {}}, 64'000'000, 8};
+    return record;
+}
+
+inline RepairRecord repair_record() {
+    RepairRecord record;
+    record.options.min_component_faces = 21;
+    record.input = {"in put.ply", 102, 200, {}};
+    record.defects.zero_area = 22;
+    std::size_t number = 30;
+    for (const RepairCountName& name : repair_count_names) {
+        record.counts.*name.count = number++;
+    }
+    record.output = {"out.ply", 101, 190, {1, 2, 3, 40, -5}};
+    record.usage = {{{1.5, 1.25}, {}, {}, {}, {5.5, 5.25}, {6.5, 6.25}}, 64'000'000, 1};
     return record;
 }
 

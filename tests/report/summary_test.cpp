@@ -70,6 +70,31 @@ TEST(InfoSummary, SaysWhatSimplifyWouldSay) {
     EXPECT_THAT(summary(record), Contains("simplify refuses this mesh: 3 zero-area faces"));
 }
 
+TEST(InfoSummary, SaysWhichRepairWouldMakeItAcceptable) {
+    InfoRecord record = info_record();
+    EXPECT_THAT(summary(record), Not(Contains(HasSubstr("repair"))));
+    record.refusal = "3 zero-area faces";
+    EXPECT_EQ(summary(record).back(), "foldless repair would refuse this mesh, too");
+    record.repair = RepairOutlook{9, 8, {}};
+    record.repair->counts.zero_area_faces = 3;
+    EXPECT_EQ(summary(record).back(),
+              "foldless repair would make it acceptable: 3 zero-area faces dropped; 9 vertices, 8 faces left");
+}
+
+TEST(RepairSummary, CountsDefectsRepairsAndWhatIsLeft) {
+    RepairRecord record = repair_record();
+    record.counts = {};
+    record.counts.zero_area_faces = 22;
+    EXPECT_THAT(summary(record),
+                ElementsAre("in put.ply: 102 vertices, 200 faces, 22 zero-area faces", "22 zero-area faces dropped",
+                            "out.ply: 101 vertices, 190 faces, 2 components, Euler characteristic -5, 3 boundary loops "
+                            "with 40 edges, 1 unused vertex"));
+    record.counts = {};
+    record.defects = {};
+    EXPECT_THAT(summary(record), Contains("nothing to repair"));
+    EXPECT_THAT(summary(record), Contains(HasSubstr("no defects")));
+}
+
 TEST(InfoSummary, SpeaksOfDirectionsWhereThereAreSome) {
     InfoRecord record = info_record();
     EXPECT_THAT(summary(record), Not(Contains(HasSubstr("directions"))));
