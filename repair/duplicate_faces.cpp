@@ -3,8 +3,7 @@
 #include <foldless/repair/dropping.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <vector>
+#include <cstddef>
 
 namespace foldless {
 
@@ -31,13 +30,28 @@ std::vector<NumberedFace> sorted_faces(const Scan& scan) {
 
 } // namespace
 
-void drop_duplicate_faces(Scan& scan, RepairCounts& counts) {
+std::vector<std::uint8_t> drop_duplicate_faces(Scan& scan, RepairCounts& counts) {
     const std::vector<NumberedFace> sorted = sorted_faces(scan);
     std::vector<std::uint8_t> duplicate(scan.faces.size(), 0);
+    std::vector<std::uint8_t> doubled(scan.faces.size(), 0);
+    std::size_t first = 0;
     for (std::size_t i = 1; i < sorted.size(); ++i) {
-        duplicate[sorted[i].face] = sorted[i].vertices == sorted[i - 1].vertices ? 1 : 0;
+        if (sorted[i].vertices == sorted[first].vertices) {
+            duplicate[sorted[i].face] = 1;
+            doubled[sorted[first].face] ^= 1U;
+        } else {
+            first = i;
+        }
     }
+    std::size_t kept = 0;
+    for (std::size_t face = 0; face < doubled.size(); ++face) {
+        if (duplicate[face] == 0) {
+            doubled[kept++] = doubled[face];
+        }
+    }
+    doubled.resize(kept);
     counts.duplicate_faces += drop_marked_faces(scan, duplicate);
+    return doubled;
 }
 
 } // namespace foldless

@@ -7,6 +7,7 @@
 #include <foldless/repair/duplicate_faces.h>
 #include <foldless/repair/separation.h>
 #include <foldless/repair/small_components.h>
+#include <foldless/repair/thin_walls.h>
 #include <foldless/repair/unserved_stars.h>
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ RepairResult repair(Scan scan, const RepairOptions& options) {
     }
     RepairCounts counts;
     drop_bad_faces(scan, counts);
-    drop_duplicate_faces(scan, counts);
+    drop_thin_walls(scan, drop_duplicate_faces(scan, counts), counts);
     turn_faces(scan, counts);
     separate_fans(scan, counts);
     // What is dropped around a spike may leave bow-ties. Splitting them takes faces from a vertex, so that those that

@@ -24,7 +24,7 @@ struct RepairResult {
 /// Repairs what inspect() counts as defects, in this order (docs/algorithm.md says why each step is right):
 ///
 /// * drops faces without three different vertices of the mesh, with a corner that is not finite, or of zero area, and
-///   each face whose three vertices an earlier one has;
+///   each face whose three vertices an earlier one has; the earlier one, too, where the surface closes without it;
 /// * turns faces over until those at an edge of two faces agree, as few as make each part agree. A part that agrees is
 ///   left as it is, inside out or not; edges at which a one-sided part cannot agree are cut open;
 /// * takes edges of three or more faces apart: two faces that continue each other best stay together, where that

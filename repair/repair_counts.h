@@ -16,6 +16,7 @@ struct RepairCounts {
     std::size_t not_finite_faces = 0;      ///< dropped: a corner has a coordinate that is NaN or infinite
     std::size_t zero_area_faces = 0;       ///< dropped: the exact area is zero
     std::size_t duplicate_faces = 0;       ///< dropped: an earlier face has the same vertices, whatever its orientation
+    std::size_t thin_wall_faces = 0;       ///< dropped: they had a duplicate, and the surface closes without them
     std::size_t turned_faces = 0;          ///< turned over: the second and third corner changed places
     std::size_t unorientable_edges = 0;    ///< edges of two faces cut open, as no turning makes them agree
     std::size_t non_manifold_edges = 0;    ///< edges of three or more faces that were taken apart
@@ -40,7 +41,7 @@ struct RepairCountName {
     const char* many;
 };
 
-inline constexpr std::array<RepairCountName, 15> repair_count_names{{
+inline constexpr std::array<RepairCountName, 16> repair_count_names{{
     {&RepairCounts::out_of_range_faces, "out_of_range_faces", "face with an index out of range dropped",
      "faces with an index out of range dropped"},
     {&RepairCounts::repeated_index_faces, "repeated_index_faces", "face with a repeated index dropped",
@@ -49,6 +50,8 @@ inline constexpr std::array<RepairCountName, 15> repair_count_names{{
      "faces with a corner that is not finite dropped"},
     {&RepairCounts::zero_area_faces, "zero_area_faces", "zero-area face dropped", "zero-area faces dropped"},
     {&RepairCounts::duplicate_faces, "duplicate_faces", "duplicate face dropped", "duplicate faces dropped"},
+    {&RepairCounts::thin_wall_faces, "thin_wall_faces", "face of a wall of no thickness dropped",
+     "faces of walls of no thickness dropped"},
     {&RepairCounts::turned_faces, "turned_faces", "face turned over", "faces turned over"},
     {&RepairCounts::unorientable_edges, "unorientable_edges", "edge cut open for want of an orientation",
      "edges cut open for want of an orientation"},

@@ -31,16 +31,83 @@ ScanTriangle corners(const Scan& scan, const Triangle& face) {
     return {scan.positions[face[0]], scan.positions[face[1]], scan.positions[face[2]]};
 }
 
-/// The faces that a repair has to keep, from the definition.
-std::vector<ScanTriangle> faces_to_keep(const Scan& scan) {
-    std::vector<ScanTriangle> kept;
-    std::set<std::set<std::int32_t>> seen;
+struct Stack {
+    std::set<std::int32_t> vertices;
+    ScanTriangle first;
+    std::size_t copies;
+};
+
+/// The faces with an area, those on the same vertices in one stack, in the order of the first of each.
+std::vector<Stack> stacks_of(const Scan& scan) {
+    std::vector<Stack> stacks;
     for (const Triangle& face : scan.faces) {
         const std::set<std::int32_t> vertices(face.begin(), face.end());
         const ScanTriangle triangle = corners(scan, face);
-        const bool flat = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]) == Vec3::Zero();
-        if (vertices.size() == 3 && !flat && seen.insert(vertices).second) {
-            kept.push_back(triangle);
+        if (vertices.size() < 3 || (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]) == Vec3::Zero()) {
+            continue;
+        }
+        const auto same = std::ranges::find(stacks, vertices, &Stack::vertices);
+        if (same == stacks.end()) {
+            stacks.push_back({vertices, triangle, 1});
+        } else {
+            ++same->copies;
+        }
+    }
+    return stacks;
+}
+
+bool is_doubled(const Stack& stack) {
+    return stack.copies % 2 == 0;
+}
+
+std::size_t common_vertices(const Stack& one, const Stack& other) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(one.vertices, [&](std::int32_t vertex) { return other.vertices.contains(vertex); }));
+}
+
+/// The doubled stacks that are reached from one over edges.
+std::vector<Stack> sheet_of(const Stack& start, const std::vector<Stack>& stacks) {
+    std::vector<Stack> sheet{start};
+    for (std::size_t i = 0; i < sheet.size(); ++i) {
+        for (const Stack& stack : stacks) {
+            const bool known = std::ranges::find(sheet, stack.vertices, &Stack::vertices) != sheet.end();
+            if (is_doubled(stack) && !known && common_vertices(sheet[i], stack) == 2) {
+                sheet.push_back(stack);
+            }
+        }
+    }
+    return sheet;
+}
+
+/// How many stacks that are not doubled have the edge that the face has without the vertex.
+std::size_t others_at(const Stack& face, std::int32_t without, const std::vector<Stack>& stacks) {
+    std::set<std::int32_t> edge = face.vertices;
+    edge.erase(without);
+    return static_cast<std::size_t>(std::ranges::count_if(
+        stacks, [&](const Stack& stack) { return !is_doubled(stack) && std::ranges::includes(stack.vertices, edge); }));
+}
+
+bool is_thin_wall(const Stack& start, const std::vector<Stack>& stacks) {
+    std::size_t all = 0;
+    for (const Stack& face : sheet_of(start, stacks)) {
+        for (const std::int32_t vertex : face.vertices) {
+            const std::size_t others = others_at(face, vertex, stacks);
+            if (others % 2 != 0) {
+                return false;
+            }
+            all += others;
+        }
+    }
+    return all > 0;
+}
+
+/// The faces that a repair has to keep, from the definition.
+std::vector<ScanTriangle> faces_to_keep(const Scan& scan) {
+    const std::vector<Stack> stacks = stacks_of(scan);
+    std::vector<ScanTriangle> kept;
+    for (const Stack& stack : stacks) {
+        if (!is_doubled(stack) || !is_thin_wall(stack, stacks)) {
+            kept.push_back(stack.first);
         }
     }
     return kept;

@@ -102,6 +102,44 @@ TEST(Repair, KeepsFacesThatShareTwoVerticesOnly) {
     EXPECT_EQ(repaired({{0, 1, 2}, {1, 0, 3}}).counts.text(), "");
 }
 
+// A fin of two triangles stands on the edge 0 1 of a closed surface, each written for both of its sides.
+TEST(Repair, DropsAFinThatStandsOnAClosedSurface) {
+    const std::vector<Triangle> fin{{0, 1, 4}, {1, 5, 4}};
+    const RepairResult result = repaired(joined(joined(fin, tetrahedron), inside_out(fin)));
+    EXPECT_EQ(result.counts.text(),
+              "2 duplicate faces dropped, 2 faces of walls of no thickness dropped, 2 unused vertices dropped");
+    EXPECT_EQ(result.scan.faces, tetrahedron);
+}
+
+TEST(Repair, KeepsOneSideOfASheetThatGoesOnFromABorder) {
+    const std::vector<Triangle> sheet{{1, 0, 3}, {1, 3, 4}};
+    const RepairResult result = repaired(joined(joined({{0, 1, 2}}, sheet), inside_out(sheet)));
+    EXPECT_EQ(result.counts.text(), "2 duplicate faces dropped");
+    EXPECT_EQ(result.scan.faces, joined({{0, 1, 2}}, sheet));
+}
+
+TEST(Repair, KeepsOneSideOfASheetThatStandsAlone) {
+    const std::vector<Triangle> sheet{{0, 1, 2}, {1, 3, 2}};
+    const RepairResult result = repaired(joined(joined(sheet, inside_out(sheet)), raised(tetrahedron, 4)));
+    EXPECT_EQ(result.counts.text(), "2 duplicate faces dropped");
+    EXPECT_EQ(result.scan.faces, joined(sheet, raised(tetrahedron, 4)));
+}
+
+// Two tetrahedra in contact at the face 0 1 2, which both have: one surface without it.
+TEST(Repair, DropsTheWallBetweenTwoPartsInContact) {
+    const std::vector<Triangle> other{{0, 1, 2}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}};
+    const RepairResult result = repaired(joined(tetrahedron, other));
+    EXPECT_EQ(result.counts.text(), "1 duplicate face dropped, 1 face of a wall of no thickness dropped");
+    EXPECT_EQ(result.scan.faces,
+              (std::vector<Triangle>{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}}));
+    EXPECT_EQ(flaw_of(result.scan), "");
+}
+
+// Three copies are one face of the surface and a wall of no thickness on it.
+TEST(Repair, KeepsOneOfThreeCopies) {
+    EXPECT_EQ(repaired(joined(tetrahedron, {{0, 1, 2}, {2, 1, 0}})).scan.faces, tetrahedron);
+}
+
 TEST(Repair, RefusesAMeshOfWhichNothingIsLeft) {
     const auto message_of = [](const Scan& scan) -> std::string {
         try {
