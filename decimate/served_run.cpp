@@ -1,6 +1,6 @@
 #include <foldless/decimate/served_run.h>
 
-#include <foldless/decimate/visible_direction.h>
+#include <foldless/predicates/visible_direction.h>
 
 #include <optional>
 #include <vector>

@@ -5,8 +5,8 @@
 #include "validator_world.h"
 
 #include <foldless/decimate/decimate.h>
-#include <foldless/decimate/visible_direction.h>
 #include <foldless/io/errors.h>
+#include <foldless/predicates/visible_direction.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include <foldless/decimate/served_run.h>
-#include <foldless/decimate/visible_direction.h>
+#include <foldless/predicates/visible_direction.h>
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include "made_scans.h"
 
 #include <foldless/decimate/scan_topology.h>
-#include <foldless/decimate/visible_direction.h>
 #include <foldless/io/read_mesh.h>
 #include <foldless/predicates/scan_normal.h>
+#include <foldless/predicates/visible_direction.h>
 
 #include <gtest/gtest.h>
 

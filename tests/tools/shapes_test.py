@@ -193,6 +193,19 @@ class ShapesTest(ProgramTest):
                 self.assertEqual(report["input"]["faces"], sum(len(face) - 2 for face in mesh[1]))
                 self.assertLessEqual(report["output"]["faces"], report["input"]["faces"])
 
+    def test_what_repair_leaves_is_accepted(self):
+        beyond_repair = {"no faces", "no vertices", "a polygon with a dent", "a polygon that is bent"}
+        beyond_repair |= {"a polygon of two corners"}
+        for name, (mesh, _) in REFUSED.items():
+            with self.subTest(name):
+                write_off(self.folder / "scan.off", mesh)
+                if name in beyond_repair:
+                    self.expect_one_line(4, "repair", "scan.off", "-o", "whole.ply")
+                    continue
+                self.expect(0, "repair", "scan.off", "-o", "whole.ply")
+                self.expect(0, "simplify", "whole.ply", "-o", "base.ply")
+                self.expect(0, "verify", "base.ply", "whole.ply")
+
     def test_shapes_with_a_defect_are_refused_by_its_name(self):
         for name, (mesh, defect) in REFUSED.items():
             with self.subTest(name):
