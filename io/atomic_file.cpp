@@ -85,10 +85,14 @@ std::filesystem::path resolved(const std::filesystem::path& target) {
     return error ? target : real;
 }
 
-/// Renaming onto a folder fails late, and onto a device it would replace the device.
+/// Renaming onto a folder or an impossible name fails late, and onto a device it would replace the device.
 void require_writable_target(const std::filesystem::path& path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) {
+        // A name that is too long, say: the temporary file has another, so that only the renaming would fail.
+        if (errno != ENOENT) {
+            fail(path, fmt::format("cannot be written: {}", system_message()));
+        }
         return;
     }
     if (S_ISDIR(status.st_mode)) {

@@ -1,7 +1,8 @@
 #include <foldless/io/numbers.h>
 
+#include <algorithm>
 #include <charconv>
-#include <cmath>
+#include <cstddef>
 
 namespace foldless {
 
@@ -22,26 +23,41 @@ Parsed<Number> parse_whole(std::string_view token) {
     return parsed;
 }
 
-// std::from_chars reports numbers too small and too large alike; the wider type tells them apart. The wider value is
-// below the smallest number of the narrow type, so that rounding it again gives what rounding once would.
-template <class Narrow, class Wide>
-Parsed<Narrow> narrowed(const Parsed<Wide>& wide) {
-    if (wide.ok() && std::abs(wide.value) < 1) {
-        return {static_cast<Narrow>(wide.value), std::errc{}};
+/// Whether a number is below 1, by the power of ten of its first digit that is not 0. `number` is one in decimal digits
+/// that has such a digit.
+bool is_below_one(std::string_view number) {
+    const std::size_t mark = std::min(number.find_first_of("eE"), number.size());
+    const std::string_view digits = number.substr(0, mark);
+    const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
+    const auto first = static_cast<std::int64_t>(digits.find_first_of("123456789"));
+    const std::int64_t power = first < point ? point - first - 1 : point - first;
+    if (mark == number.size()) {
+        return power < 0;
     }
-    return {Narrow{}, std::errc::result_out_of_range};
+    const std::string_view exponent = number.substr(mark + 1);
+    const auto parsed = parse_whole<std::int64_t>(exponent);
+    // No text is so long that its digits outweigh an exponent that does not fit into 64 bits.
+    return parsed.ok() ? parsed.value < -power : exponent.starts_with('-');
+}
+
+template <class Real>
+Parsed<Real> parse_real(std::string_view token) {
+    const auto parsed = parse_whole<Real>(token);
+    // std::from_chars reports alike what is too large and what rounds to zero.
+    if (parsed.error == std::errc::result_out_of_range && is_below_one(token)) {
+        return {token.starts_with('-') ? -Real{0} : Real{0}, std::errc{}};
+    }
+    return parsed;
 }
 
 } // namespace
 
 Parsed<double> parse_double(std::string_view token) {
-    const auto parsed = parse_whole<double>(token);
-    return parsed.error == std::errc::result_out_of_range ? narrowed<double>(parse_whole<long double>(token)) : parsed;
+    return parse_real<double>(token);
 }
 
 Parsed<float> parse_float(std::string_view token) {
-    const auto parsed = parse_whole<float>(token);
-    return parsed.error == std::errc::result_out_of_range ? narrowed<float>(parse_double(token)) : parsed;
+    return parse_real<float>(token);
 }
 
 Parsed<std::int64_t> parse_integer(std::string_view token) {

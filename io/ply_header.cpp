@@ -109,6 +109,9 @@ bool parse_line(TextCursor& cursor, PlyHeader& header, std::optional<PlyFormat>&
         return true;
     }
     if (keyword == "format") {
+        if (format) {
+            cursor.fail("the format is named twice");
+        }
         format = parse_format(cursor);
     } else if (keyword == "element") {
         header.elements.push_back(parse_element(cursor));
@@ -154,6 +157,7 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
     if (!cursor.next_line() || cursor.token() != "ply") {
         cursor.fail("a PLY file starts with a line 'ply'");
     }
+    cursor.require_end_of_line();
     PlyHeader header{};
     std::optional<PlyFormat> format;
     do {

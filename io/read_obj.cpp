@@ -118,6 +118,7 @@ public:
         while (cursor_.next_line()) {
             read_statement(cursor_.token());
         }
+        require_known_statement();
         vertices_.require_in_range(cursor_, mesh_.positions.size());
         normals_.require_in_range(cursor_, normal_values_.size());
         if (content_ == Content::base_mesh) {
@@ -200,11 +201,26 @@ private:
                 return;
             }
         }
-        // A statement that we do not know may be skipped; a file of another kind must not pass for an empty mesh.
         if (!is_letter_or_underscore(keyword[0])) {
-            cursor_.fail(fmt::format("{} is no OBJ statement", in_quotes(keyword)));
+            cursor_.fail(no_statement_text(keyword));
+        }
+        if (unknown_statement_.empty()) {
+            unknown_statement_ = keyword;
+            unknown_line_ = cursor_.line();
         }
         mesh_.ignore(fmt::format("{} statements", in_quotes(keyword)));
+    }
+
+    static std::string no_statement_text(std::string_view keyword) {
+        return fmt::format("{} is no OBJ statement", in_quotes(keyword));
+    }
+
+    /// A statement that we do not know may be skipped; a file of another kind must not pass for an empty mesh.
+    void require_known_statement() const {
+        const bool empty = mesh_.positions.empty() && mesh_.faces.empty() && mesh_.short_faces == 0;
+        if (empty && !unknown_statement_.empty()) {
+            cursor_.fail_at(unknown_line_, no_statement_text(unknown_statement_));
+        }
     }
 
     /// The normals that the corners name, gathered per vertex.
@@ -247,6 +263,8 @@ private:
     TextCursor cursor_;
     Content content_;
     RawMesh mesh_;
+    std::string_view unknown_statement_; ///< the first, if any
+    std::size_t unknown_line_ = 0;
     IndexResolver vertices_{"vertex", "vertices"};
     IndexResolver textures_{"texture", "texture coordinates"};
     IndexResolver normals_{"normal", "normals"};

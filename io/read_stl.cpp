@@ -100,10 +100,18 @@ private:
     }
 
     Vec3 read_vector() {
-        const double x = cursor_.real("x");
-        const double y = cursor_.real("y");
-        const double z = cursor_.real("z");
+        const double x = read_number("x");
+        const double y = read_number("y");
+        const double z = read_number("z");
         return {x, y, z};
+    }
+
+    /// Ends of lines mean no more than blanks do.
+    double read_number(std::string_view what) {
+        if (cursor_.peek().empty()) {
+            cursor_.next_line();
+        }
+        return cursor_.real(what);
     }
 
     void require(std::string_view word) {

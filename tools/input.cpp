@@ -14,22 +14,21 @@
 
 namespace foldless {
 
-Scan read_noting(const std::filesystem::path& path, const Console& console) {
-    ReadScan read = read_scan(path);
-    if (const std::string notes = notes_text(read.notes); !notes.empty()) {
-        console.note(fmt::format("{}: {}", printable(path), notes));
+void note_ignored(const std::filesystem::path& path, const ReadNotes& notes, const Console& console) {
+    if (const std::string text = notes_text(notes); !text.empty()) {
+        console.note(fmt::format("{}: {}", printable(path), text));
     }
-    return std::move(read.scan);
 }
 
 Input read_input(const std::filesystem::path& path, const Console& console) {
-    Scan scan = read_noting(path, console);
-    const Inspection inspection = inspect(scan);
+    ReadScan read = read_scan(path);
+    const Inspection inspection = inspect(read.scan);
     if (inspection.defects.any()) {
         throw RefusedMesh(fmt::format("{}: {}", printable(path), inspection.defects.text()));
     }
-    InputRecord record{path.string(), scan.positions.size(), scan.faces.size(), inspection.topology};
-    return {std::move(scan), std::move(record)};
+    note_ignored(path, read.notes, console);
+    InputRecord record{path.string(), read.scan.positions.size(), read.scan.faces.size(), inspection.topology};
+    return {std::move(read.scan), std::move(record)};
 }
 
 int threads_to_use(std::optional<int> asked_for) {

@@ -15,11 +15,10 @@ struct Input {
     InputRecord record;
 };
 
-/// Reads a scan, which may have defects, and says what was ignored of it.
-/// \throws UnreadableFile, RefusedMesh for polygons that are no triangles
-[[nodiscard]] Scan read_noting(const std::filesystem::path& path, const Console& console);
+/// Says what a reader ignored of a file, if anything. Once it is clear that the file is not refused: that is one line.
+void note_ignored(const std::filesystem::path& path, const ReadNotes& notes, const Console& console);
 
-/// The same with the inspection of a scan that must have no defects.
+/// Reads a scan, inspects it, and says what was ignored of it.
 /// \throws UnreadableFile, RefusedMesh with each defect counted by name
 [[nodiscard]] Input read_input(const std::filesystem::path& path, const Console& console);
 

@@ -4,6 +4,7 @@
 #include <foldless/io/defects.h>
 #include <foldless/io/errors.h>
 #include <foldless/io/printable.h>
+#include <foldless/io/read_mesh.h>
 #include <foldless/io/write_mesh.h>
 #include <foldless/report/header_comments.h>
 #include <foldless/report/json_report.h>
@@ -56,12 +57,14 @@ struct Repaired {
 Repaired repair_file(const RepairCommand& command) {
     RepairRecord record;
     Stopwatch watch;
-    Scan scan = read_noting(command.scan, Console(command.quiet));
+    ReadScan read = read_scan(command.scan);
+    Scan& scan = read.scan;
     record.options = command.options;
     record.input = {command.scan.string(), scan.positions.size(), scan.faces.size(), {}};
     record.defects = inspect(scan).defects;
     record.usage.times.read = watch.lap();
     RepairResult result = repair_named(command.scan, std::move(scan), command.options);
+    note_ignored(command.scan, read.notes, Console(command.quiet));
     record.counts = result.counts;
     record.output = {command.output.string(), result.scan.positions.size(), result.scan.faces.size(),
                      topology_of_repaired(result.scan)};

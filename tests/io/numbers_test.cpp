@@ -57,7 +57,25 @@ TEST(Numbers, TellTooLargeFromTooSmall) {
     EXPECT_EQ(parse_integer("-9223372036854775808").value, std::numeric_limits<std::int64_t>::min());
 }
 
+TEST(Numbers, TellTooLargeFromTooSmallWhateverTheExponent) {
+    for (const char* text : {"1e-5000", "-1e-99999999999999999999", "0.0001e-9223372036854775807", "123e-400"}) {
+        EXPECT_TRUE(parse_double(text).ok()) << text;
+        EXPECT_EQ(parse_double(text).value, 0.0) << text;
+        EXPECT_EQ(std::signbit(parse_double(text).value), text[0] == '-') << text;
+        EXPECT_TRUE(parse_float(text).ok()) << text;
+    }
+    for (const char* text :
+         {"1e5000", "-1e99999999999999999999", "+1e+400", "0.0001e9223372036854775807", ".001e400"}) {
+        EXPECT_EQ(parse_double(text).error, std::errc::result_out_of_range) << text;
+        EXPECT_EQ(parse_float(text).error, std::errc::result_out_of_range) << text;
+    }
+    EXPECT_EQ(parse_double("0e99999999999999999999").value, 0.0);
+    EXPECT_EQ(parse_double("3e-324").value, std::numeric_limits<double>::denorm_min());
+    EXPECT_EQ(parse_float("1e-45").value, std::numeric_limits<float>::denorm_min());
+}
+
 TEST(Numbers, ReadAMillionDigits) {
+    EXPECT_TRUE(parse_double("0." + std::string(1000000, '0') + "1").ok());
     EXPECT_EQ(parse_double(std::string(1000000, '0') + "1").value, 1.0);
     EXPECT_EQ(parse_double(std::string(1000000, '9')).error, std::errc::result_out_of_range);
 }
