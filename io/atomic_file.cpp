@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -79,6 +80,10 @@ std::filesystem::path resolved(const std::filesystem::path& target) {
     }
     std::error_code error;
     std::filesystem::path real = std::filesystem::canonical(target, error);
+    // Not for want of memory: the link itself would be replaced.
+    if (error == std::errc::not_enough_memory) {
+        throw std::bad_alloc();
+    }
     if (error) {
         real = std::filesystem::absolute(target, error);
     }

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <new>
 #include <system_error>
 
 namespace foldless {
@@ -21,6 +22,9 @@ namespace {
 }
 
 [[noreturn]] void fail_with_errno(const std::filesystem::path& path) {
+    if (errno == ENOMEM) {
+        throw std::bad_alloc();
+    }
     fail(path, std::generic_category().message(errno));
 }
 

@@ -16,6 +16,7 @@ class FileBytes {
 public:
     /// \throws UnreadableFile if the file is missing, empty, may not be read, or is no regular file (a folder, a pipe,
     /// a device: reading those might never end).
+    /// \throws std::bad_alloc if the file does not fit into the address space.
     explicit FileBytes(const std::filesystem::path& path);
     ~FileBytes();
     FileBytes(const FileBytes&) = delete;

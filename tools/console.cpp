@@ -1,7 +1,10 @@
 #include <foldless/tools/console.h>
 
+#include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 namespace foldless {
@@ -15,8 +18,15 @@ void write_to_standard_error(std::string_view text) {
 
 } // namespace
 
-void print_message(std::string_view text) {
-    write_to_standard_error("foldless: " + std::string(text) + '\n');
+void print_message(std::string_view text) noexcept {
+    constexpr std::string_view program = "foldless: ";
+    constexpr std::string_view end = "\n";
+    std::array<iovec, 3> parts{};
+    std::ranges::transform(std::array{program, text, end}, parts.begin(), [](std::string_view part) {
+        return iovec{const_cast<char*>(part.data()), part.size()};
+    });
+    // In one call, as above, and without memory, of which there may be none to tell of.
+    [[maybe_unused]] const ssize_t written = ::writev(STDERR_FILENO, parts.data(), static_cast<int>(parts.size()));
 }
 
 void Console::print(const std::vector<std::string>& lines) const {

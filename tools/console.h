@@ -10,7 +10,8 @@
 namespace foldless {
 
 /// Prints an error, a warning, or anything that must be said with `--quiet` too: one line, `foldless: text`.
-void print_message(std::string_view text);
+/// Takes no memory.
+void print_message(std::string_view text) noexcept;
 
 /// What is said unless `--quiet`.
 class Console {

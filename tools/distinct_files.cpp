@@ -5,11 +5,28 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <system_error>
 
 namespace foldless {
 
 namespace {
+
+/// Without memory nothing is known of a file, least of all that it is another.
+void require_memory(const std::error_code& error) {
+    if (error == std::errc::not_enough_memory) {
+        throw std::bad_alloc();
+    }
+}
+
+std::filesystem::path resolved(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+    require_memory(error);
+    std::filesystem::path found = std::filesystem::weakly_canonical(absolute, error);
+    require_memory(error);
+    return found;
+}
 
 /// Whether two names stand for one file, existing or not.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
@@ -17,9 +34,7 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
     if (std::filesystem::equivalent(a, b, error)) {
         return true;
     }
-    const auto resolved = [&](const std::filesystem::path& path) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
-    };
+    require_memory(error);
     const std::filesystem::path resolved_a = resolved(a);
     return !resolved_a.empty() && resolved_a == resolved(b);
 }

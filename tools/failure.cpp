@@ -7,8 +7,10 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -32,6 +34,13 @@ ExitCode fail_without_memory() {
     return fail("out of memory", ExitCode::out_of_memory);
 }
 
+/// oneTBB tells by its text alone that the system has no room for another thread.
+bool is_refused_thread(const std::runtime_error& error) {
+    const std::string_view text = error.what();
+    return text.ends_with(std::generic_category().message(EAGAIN)) ||
+           text.ends_with(std::generic_category().message(ENOMEM));
+}
+
 ExitCode describe_system_error(const std::system_error& error) {
     const bool exhausted = error.code() == std::errc::not_enough_memory ||
                            error.code() == std::errc::resource_unavailable_try_again; // threads need memory
@@ -53,6 +62,8 @@ ExitCode describe_current_exception() {
         return fail_without_memory();
     } catch (const std::system_error& error) {
         return describe_system_error(error);
+    } catch (const std::runtime_error& error) {
+        return is_refused_thread(error) ? fail_without_memory() : fail_internally(error.what());
     } catch (const std::exception& error) {
         return fail_internally(error.what());
     } catch (...) {
@@ -72,7 +83,7 @@ ExitCode describe_failure() noexcept {
     try {
         return describe_current_exception();
     } catch (...) {
-        return ExitCode::out_of_memory; // not even the message found room
+        return fail_without_memory(); // the message found no room
     }
 }
 

@@ -34,9 +34,11 @@ ExitCode run_program(int argc, const char* const* argv) noexcept {
 
 } // namespace foldless
 
+// Shared libraries have constructors that take memory. What stands in this section of the program runs before them.
+[[gnu::section(".preinit_array"), gnu::used]] void (*const before_all_else)() = foldless::handle_termination;
+
 int main(int argc, char** argv) {
     foldless::open_closed_streams();
     foldless::handle_signals();
-    foldless::handle_termination();
     return static_cast<int>(foldless::run_program(argc, argv));
 }

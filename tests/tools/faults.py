@@ -4,7 +4,6 @@ import os
 import re
 import subprocess
 import sys
-import tempfile
 import threading
 import unittest
 from dataclasses import dataclass
@@ -44,19 +43,15 @@ class Measured:
 
 
 def measure(arguments, folder, **options):
-    """Runs the program to its end."""
-    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
-        redirected = {"stdin": subprocess.DEVNULL, "stdout": out, "stderr": err} | options
-        with subprocess.Popen([PROGRAM, *map(os.fsencode, map(str, arguments))], cwd=folder, **redirected) as process:
-            watchdog = threading.Timer(SECONDS_FOR_ONE_RUN, process.kill)
-            watchdog.start()
-            _, status, usage = os.wait4(process.pid, 0)
-            watchdog.cancel()
-            process.returncode = os.waitstatus_to_exitcode(status)
-        texts = []
-        for stream in (out, err):
-            stream.seek(0)
-            texts.append(stream.read().decode("utf-8", "replace"))
+    """Runs the program to its end. What it prints must fit into a pipe: a file would obey limits on files."""
+    redirected = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE} | options
+    with subprocess.Popen([PROGRAM, *map(os.fsencode, map(str, arguments))], cwd=folder, **redirected) as process:
+        watchdog = threading.Timer(SECONDS_FOR_ONE_RUN, process.kill)
+        watchdog.start()
+        _, status, usage = os.wait4(process.pid, 0)
+        watchdog.cancel()
+        process.returncode = os.waitstatus_to_exitcode(status)
+        texts = [stream.read().decode("utf-8", "replace") for stream in (process.stdout, process.stderr)]
     seconds = usage.ru_utime + usage.ru_stime
     return Measured(process.returncode, *texts, seconds, usage.ru_maxrss * 1024)
 
