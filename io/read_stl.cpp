@@ -2,6 +2,7 @@
 
 #include <foldless/io/byte_order.h>
 #include <foldless/io/errors.h>
+#include <foldless/io/numbers.h>
 #include <foldless/io/printable.h>
 #include <foldless/io/text_cursor.h>
 #include <foldless/io/weld.h>
@@ -106,10 +107,11 @@ private:
         return {x, y, z};
     }
 
-    /// Ends of lines mean no more than blanks do.
+    /// Numbers may stand on lines of their own.
     double read_number(std::string_view what) {
-        if (cursor_.peek().empty()) {
-            cursor_.next_line();
+        const std::size_t line = cursor_.line();
+        if (cursor_.peek().empty() && !(cursor_.next_line() && parse_double(cursor_.peek()).ok())) {
+            cursor_.fail_at(line, fmt::format("{} is missing", what));
         }
         return cursor_.real(what);
     }

@@ -56,6 +56,11 @@ std::string words() {
     return fmt::format("{}", fmt::join(OptionNames<Option>::words, "|"));
 }
 
+/// CLI11 would read --quiet=2x as a number, and --quiet=false as its contrary.
+void declare_flag(CLI::App& app, const char* name, bool& value, const char* description) {
+    app.add_flag(name, value, description)->disable_flag_override();
+}
+
 void declare_files(CLI::App& app, SimplifyArguments& arguments) {
     app.add_option("SCAN", arguments.scan, "the scan: .ply, .obj, .off or .stl")->required();
     app.add_option("-o,--output", arguments.base, "the base mesh to write: .ply, or .obj without ranges")
@@ -98,8 +103,8 @@ void declare_simplify(CLI::App& app, SimplifyArguments& arguments) {
     declare_methods(app, arguments);
     app.add_option("--threads", arguments.threads, "default: all cores; the result does not depend on it")
         ->type_name("N");
-    app.add_flag("--no-verify", arguments.no_verify, "do not verify the result before it gets its name");
-    app.add_flag("--quiet", arguments.quiet, "print errors and targets that were not reached only");
+    declare_flag(app, "--no-verify", arguments.no_verify, "do not verify the result before it gets its name");
+    declare_flag(app, "--quiet", arguments.quiet, "print errors and targets that were not reached only");
 }
 
 void declare_verify(CLI::App& app, VerifyArguments& arguments) {
@@ -109,7 +114,7 @@ void declare_verify(CLI::App& app, VerifyArguments& arguments) {
     app.add_option("--violations", arguments.violations, "write the located violations as a mesh to look at")
         ->type_name("FILE.ply");
     app.add_option("--threads", arguments.threads, "default: all cores")->type_name("N");
-    app.add_flag("--quiet", arguments.quiet, "print violations and errors only");
+    declare_flag(app, "--quiet", arguments.quiet, "print violations and errors only");
 }
 
 void declare_repair(CLI::App& app, RepairArguments& arguments) {
@@ -127,7 +132,7 @@ void declare_repair(CLI::App& app, RepairArguments& arguments) {
 
 void declare_info(CLI::App& app, InfoArguments& arguments) {
     app.add_option("MESH", arguments.mesh, "a scan or a base mesh")->required();
-    app.add_flag("--json", arguments.json, "print a report for other programs");
+    declare_flag(app, "--json", arguments.json, "print a report for other programs");
 }
 
 void name_files(VerifyCommand& command, const VerifyArguments& arguments) {
@@ -167,6 +172,7 @@ public:
 private:
     CLI::App* add_command(const char* name, const char* description);
     [[nodiscard]] std::string usage_error(const CLI::ParseError& error) const;
+    void require_values() const;
 
     CLI::App app_{"Decimates 3D scans into base meshes that a scalar displacement map turns back into the scan, "
                   "and proves that nothing folds.",
@@ -210,6 +216,10 @@ std::string message_of(const CLI::ParseError& error, const CLI::App* command) {
     if (error.get_name() != "ArgumentMismatch" || command == nullptr) {
         return text;
     }
+    constexpr std::string_view overridden = " was given a disallowed flag override";
+    if (text.ends_with(overridden)) {
+        return "--" + text.substr(0, text.size() - overridden.size()) + " takes no value";
+    }
     const std::string option = text.substr(0, text.find(':'));
     const bool repeated = command->count(option) > 1;
     return option + (repeated ? " is given more than once" : " needs a value");
@@ -225,6 +235,20 @@ std::string Parser::usage_error(const CLI::ParseError& error) const {
     return fmt::format("{} (see foldless {}--help)", text, command == nullptr ? "" : command->get_name() + " ");
 }
 
+/// In `--report --quiet` the name of the report was forgotten; a file that is called so can be given as ./--quiet.
+void Parser::require_values() const {
+    for (const CLI::App* command : app_.get_subcommands()) {
+        for (const CLI::Option* option : command->get_options()) {
+            const bool positional = option->get_positional();
+            for (const std::string& value : option->results()) {
+                if (!positional && value.starts_with('-') && command->get_option_no_throw(value) != nullptr) {
+                    throw WrongUsage(fmt::format("{} needs a value, not the option {}", option->get_name(), value));
+                }
+            }
+        }
+    }
+}
+
 Command Parser::parse(int argc, const char* const* argv) {
     try {
         app_.parse(argc, argv);
@@ -235,6 +259,7 @@ Command Parser::parse(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw WrongUsage(usage_error(error));
     }
+    require_values();
     if (*simplify_app_) {
         return simplify_command(simplify_);
     }

@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <exception>
 #include <new>
@@ -71,10 +72,23 @@ ExitCode describe_current_exception() {
     }
 }
 
-[[noreturn]] void terminate() {
-    const ExitCode code = std::current_exception() ? describe_failure() : fail_internally("terminated");
+/// Ends the program from where it is, in whatever thread. The first thread that comes here tells why; others only wait.
+[[noreturn]] void end_at_once(ExitCode (*tell)()) {
+    static std::atomic_flag ending;
+    while (ending.test_and_set()) {
+        ::pause();
+    }
+    const ExitCode code = tell();
     remove_temporary_files();
     ::_exit(static_cast<int>(code));
+}
+
+[[noreturn]] void terminate() {
+    end_at_once([] { return std::current_exception() ? describe_failure() : fail_internally("terminated"); });
+}
+
+[[noreturn]] void end_without_memory() {
+    end_at_once(fail_without_memory);
 }
 
 } // namespace
@@ -89,6 +103,7 @@ ExitCode describe_failure() noexcept {
 
 void handle_termination() {
     std::set_terminate(terminate);
+    std::set_new_handler(end_without_memory);
 }
 
 } // namespace foldless

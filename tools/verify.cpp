@@ -22,9 +22,7 @@ namespace {
 
 BaseMesh read_base(const std::filesystem::path& path, const Console& console) {
     ReadBaseMesh read = read_base_mesh(path);
-    if (const std::string notes = notes_text(read.notes); !notes.empty()) {
-        console.note(fmt::format("{}: {}", printable(path), notes));
-    }
+    note_ignored(path, read.notes, console);
     return std::move(read.base);
 }
 

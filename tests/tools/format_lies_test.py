@@ -466,7 +466,7 @@ class Lies(FaultTest):
             (b"solid small mesh", b"solids", at_line(1, "'solids' stands where 'solid' should stand")),
             (b"facet normal", b"face normal", at_line(2, "'face' stands where 'facet' or 'endsolid' should stand")),
             (b"facet normal", b"facet norm", at_line(2, "'norm' stands where 'normal' should stand")),
-            (b"facet normal 0 0 0", b"facet normal 0 0", at_line(3, "'outer' for z is not a number")),
+            (b"facet normal 0 0 0", b"facet normal 0 0", at_line(2, "z is missing")),
             (b"facet normal 0 0 0", b"facet normal 0 0 x", at_line(2, "'x' for z is not a number")),
             (b"facet normal 0 0 0", b"facet normal 0 0 0 0", at_line(2, "'0' stands where 'outer' should stand")),
             (b"outer loop", b"inner loop", at_line(3, "'inner' stands where 'outer' should stand")),

@@ -16,7 +16,8 @@ from program import limit
 from soak import soak
 
 LEAST_MEGABYTES = 16
-STEPS = 3000
+STEPS = 600
+LEAST_STEPS = 6
 FAILING_CALLS = 2000
 SEED = 20240608
 TOLD = "foldless: out of memory\n"
@@ -69,7 +70,7 @@ class AddressSpace(OutOfMemory):
             self.reset_folder()
             (self.folder / name).write_bytes(data)
             need = self.need(name, options)
-            steps = max(2, soak(STEPS) // len(self.RUNS))
+            steps = max(LEAST_STEPS, soak(STEPS) // len(self.RUNS))
             ended = 0
             for step in range(steps):
                 megabytes = LEAST_MEGABYTES + (2 * need - LEAST_MEGABYTES) * step / (steps - 1)
