@@ -176,6 +176,21 @@ class OddFiles(FaultTest):
             self.refused("sparse.ply", r"\Abyte \d{10}: ")
 
     @unittest.skipIf(SANITIZED, "sanitizers bound what can be mapped")
+    def test_more_vertices_or_faces_than_an_index_can_name(self):
+        """The files are as large as they claim, so that only the limit is in the way."""
+        vertex = b"property uchar x\nproperty uchar y\nproperty uchar z\n"
+        for what, header, size, says in (
+            ("ply", b"ply\nformat binary_little_endian 1.0\nelement vertex 2147483648\n" + vertex + b"end_header\n", 7 << 30, "2147483648 vertices are too many"),
+            ("off", b"OFF\n2147483648 0 0\n", 13 << 30, "the vertices or faces are too many"),
+            ("off", b"OFF\n0 1431655766 0\n", 3 << 30, "the vertices or faces are too many"),
+        ):  # fmt: skip
+            with self.case(format=what, says=says):
+                with open(self.folder / f"many.{what}", "wb") as file:
+                    file.write(header)
+                    file.truncate(size)
+                self.refused(f"many.{what}", says)
+
+    @unittest.skipIf(SANITIZED, "sanitizers bound what can be mapped")
     def test_an_stl_that_claims_more_than_it_has(self):
         with self.case(count=2**32 - 1):
             with open(self.folder / "claim.stl", "wb") as file:
