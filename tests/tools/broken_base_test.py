@@ -115,7 +115,11 @@ class BrokenBase(FaultTest):
             self.verified(3, base(rows=replaced(kept, 3, text + " 3")), at_line(19, "'.*' for n[xyz] is"))
 
     def test_directions_are_there(self):
-        for properties in ("property float nx\nproperty float ny\n", "property float nx\nproperty float nz\n", "property float ny\nproperty float nz\n"):
+        for properties in (
+            "property float nx\nproperty float ny\n",
+            "property float nx\nproperty float nz\n",
+            "property float ny\nproperty float nz\n",
+        ):
             rows = {"properties": properties, "rows": lambda i: "0 1"}
             self.verified(4, base(**rows), r"\Athe mesh has no displacement directions\Z")
         for name in ("ply", "obj"):
@@ -127,9 +131,17 @@ class BrokenBase(FaultTest):
 
     def test_directions_are_declared_once(self):
         twice = KEPT + "property float nx\n"
-        self.verified(3, base(properties=twice, rows=lambda i: kept(i) + " 0"), PLACE + "property 'nx' of element 'vertex' is declared twice")
+        self.verified(
+            3,
+            base(properties=twice, rows=lambda i: kept(i) + " 0"),
+            PLACE + "property 'nx' of element 'vertex' is declared twice",
+        )
         listed = KEPT.replace("property float nx", "property list uchar float nx")
-        self.verified(3, base(properties=listed, rows=lambda i: f"1 {kept(i)}"), PLACE + "property 'nx' of element 'vertex' is of the wrong kind")
+        self.verified(
+            3,
+            base(properties=listed, rows=lambda i: f"1 {kept(i)}"),
+            PLACE + "property 'nx' of element 'vertex' is of the wrong kind",
+        )
 
     def test_ranges_are_finite_and_ordered(self):
         says = r"\A1 displacement range is not finite or has t_min > t_max\Z"
@@ -145,17 +157,23 @@ class BrokenBase(FaultTest):
         last = f"line {len(base_obj(str).splitlines())}"
         says = rf"\A{last}: normal index .* is out of range \({N} normals\)"
         for text in ("0", str(N + 1), str(-N - 1), "2147483648", "-9223372036854775808"):
-            lie = changed(base_obj(lambda v: f"{v}//{v}"), b"\nf 1//1 6//6 2//2\n", f"\nf 1//1 6//6 2//{text}\n".encode("ascii"))
+            lie = changed(
+                base_obj(lambda v: f"{v}//{v}"), b"\nf 1//1 6//6 2//2\n", f"\nf 1//1 6//6 2//{text}\n".encode("ascii")
+            )
             self.verified(3, lie, says, "bad.obj")
         for text in ("1.5", "", "x", "99999999999999999999"):
-            lie = changed(base_obj(lambda v: f"{v}//{v}"), b"\nf 1//1 6//6 2//2\n", f"\nf 1//1 6//6 2//{text}\n".encode("ascii"))
+            lie = changed(
+                base_obj(lambda v: f"{v}//{v}"), b"\nf 1//1 6//6 2//2\n", f"\nf 1//1 6//6 2//{text}\n".encode("ascii")
+            )
             self.verified(3, lie, rf"\A{last}: '{text}' for a normal index is not an integer", "bad.obj")
 
     def test_normals_of_obj_are_vectors(self):
         data = base_obj(lambda v: f"{v}//{v}")
         for text, says in (("0 0", "z is missing"), ("0 0 x", "'x' for z is not a number"), ("0 0 1 1", "unexpected '1'")):
             self.verified(3, changed(data, b"vn 0.0 0.0 1.0\n", f"vn {text}\n".encode("ascii")), at_line(2, says), "bad.obj")
-        self.verified(4, changed(data, b"vn 0.0 0.0 1.0\n", b"vn 0.0 nan 1.0\n"), r"\A1 displacement direction is not finite\Z", "bad.obj")
+        self.verified(
+            4, changed(data, b"vn 0.0 0.0 1.0\n", b"vn 0.0 nan 1.0\n"), r"\A1 displacement direction is not finite\Z", "bad.obj"
+        )
 
     def test_vertices_of_obj_have_one_normal(self):
         data = base_obj(lambda v: f"{v}//{v}")
@@ -165,7 +183,11 @@ class BrokenBase(FaultTest):
         self.verified(4, changed(data, b"\nf 1//1 6//6 2//2\n", b"\nf 1//1 6//6 2\n"), says, "bad.obj")
 
     def test_indices_and_lengths_are_those_of_any_mesh(self):
-        for text, says in (("3 0 5 22", r"vertex index 22 is out of range \(22 vertices\)"), ("3 0 5 -1", "vertex index -1 is out of range"), ("4 0 5 1", "t_max is missing")):
+        for text, says in (
+            ("3 0 5 22", r"vertex index 22 is out of range \(22 vertices\)"),
+            ("3 0 5 -1", "vertex index -1 is out of range"),
+            ("4 0 5 1", "t_max is missing"),
+        ):
             self.verified(3, changed(base(), b"\n3 0 5 1 0 0\n", f"\n{text} 0 0\n".encode("ascii")), at_line(77, says))
         data = ply_binary(MESH).data
         self.verified(3, data[:-1], at_byte(r"\d+", "list .vertex_indices. cannot have 3 values"))

@@ -106,7 +106,9 @@ class Counts(FaultTest):
                 data_with = changed(data, counts, counts[:-2] + edges + b"\n")
                 self.expect_refused(Case("edges", "edges.off", data_with, 3, at_line(2, "'.*' for the count of edges")))
         with self.case(edges="a fourth count"):
-            self.expect_refused(Case("edges", "edges.off", changed(data, counts, counts[:-1] + b" 7\n"), 3, at_line(2, "unexpected '7'")))
+            self.expect_refused(
+                Case("edges", "edges.off", changed(data, counts, counts[:-1] + b" 7\n"), 3, at_line(2, "unexpected '7'"))
+            )
 
     def test_of_binary_stl(self):
         data = stl_binary(small_mesh()).data
@@ -170,7 +172,9 @@ class Counts(FaultTest):
                         self.expect_accepted("types.ply", data, content("ply ascii", small_mesh()))
 
     def test_of_lists_are_not_real_numbers(self):
-        for length, index, says in (("float", "int", "the length of a list"), ("uchar", "float", "the vertex indices are not integers")):
+        for length, index, says in (
+            ("float", "int", "the length of a list"), ("uchar", "float", "the vertex indices are not integers")
+        ):
             with self.case(length=length, index=index):
                 data = ply_ascii(small_mesh(), length=length, index=index).data
                 self.expect_refused(Case("real", "real.ply", data, 3, PLACE + says))

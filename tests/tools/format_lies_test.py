@@ -108,7 +108,9 @@ class Honest(FaultTest):
         for name in ("ply little endian", "ply big endian"):
             whole = encoded(name, MESH)
             header, data = whole.data[: whole.edges[2]], whole.data[whole.edges[2] :]
-            for how in ("CR LF", "CR only", "tabs", "a byte order mark", "many blanks", "blanks behind each line", "empty lines"):
+            for how in (
+                "CR LF", "CR only", "tabs", "a byte order mark", "many blanks", "blanks behind each line", "empty lines"
+            ):
                 if how == "empty lines":
                     head = header.removesuffix(b"\n").replace(b"\n", b"\n\n") + b"\n"
                 else:
@@ -139,7 +141,9 @@ class Honest(FaultTest):
                     self.expect_accepted(f"scan.{spelled}", encoded(name, MESH).data, content(name, MESH))
 
     def test_a_binary_stl_may_start_with_solid(self):
-        for header in (b"solid", b"solid ascii", b"SOLID x\nfacet normal 0 0 1\n", b"  solid", b"\xef\xbb\xbfsolid", b"", b"\xff" * 80):
+        for header in (
+            b"solid", b"solid ascii", b"SOLID x\nfacet normal 0 0 1\n", b"  solid", b"\xef\xbb\xbfsolid", b"", b"\xff" * 80
+        ):
             with self.case(header=header):
                 self.expect_accepted("solid.stl", stl_binary(MESH, header).data, content("stl binary", MESH))
 
@@ -154,8 +158,12 @@ class Honest(FaultTest):
     def test_comments_may_be_as_long_as_they_like(self):
         name = stl_ascii(MESH).data
         texts = {
-            "comment.ply": changed(ply_ascii(MESH).data, FIRST_PLY_LINE, FIRST_PLY_LINE + b"comment " + LONG + b"\nobj_info " + LONG + b"\n"),
-            "bytes.ply": changed(ply_binary(MESH).data, FIRST_PLY_LINE, FIRST_PLY_LINE + b"comment end_header\ncomment " + LONG + b"\n"),
+            "comment.ply": changed(
+                ply_ascii(MESH).data, FIRST_PLY_LINE, FIRST_PLY_LINE + b"comment " + LONG + b"\nobj_info " + LONG + b"\n"
+            ),
+            "bytes.ply": changed(
+                ply_binary(MESH).data, FIRST_PLY_LINE, FIRST_PLY_LINE + b"comment end_header\ncomment " + LONG + b"\n"
+            ),
             "comment.obj": b"# " + LONG + b"\n" + changed(obj(MESH).data, b"\n", b" #" + LONG + b"\n"),
             "comment.off": b"#" + LONG + b"\n" + changed(off(MESH).data, b"\n", b" # 1 2 3 " + LONG + b"\n", 2),
             "name.stl": changed(name, b"small mesh", LONG) + b" " + LONG + b"\n",
@@ -267,7 +275,9 @@ class Honest(FaultTest):
         with self.case(what="statements"):
             self.expect_accepted("more.obj", more + data.replace(b"f ", more + b"f "), MESH)
         with self.case(what="colours"):
-            self.expect_accepted("more.obj", b"\n".join(r + b" 0.5 1 255" if r[:1] == b"v" else r for r in data.split(b"\n")), MESH)
+            self.expect_accepted(
+                "more.obj", b"\n".join(r + b" 0.5 1 255" if r[:1] == b"v" else r for r in data.split(b"\n")), MESH
+            )
         with self.case(what="weights"):
             self.expect_accepted("more.obj", b"\n".join(r + b" 1.0" if r[:1] == b"v" else r for r in data.split(b"\n")), MESH)
         with self.case(what="continued lines"):
@@ -280,7 +290,13 @@ class Honest(FaultTest):
         header, body = data.split(b"\n", 1)
         rows = body.splitlines()
         vertices, faces = rows[1 : 1 + len(POINTS)], rows[1 + len(POINTS) :]
-        for keyword, extra in ((b"COFF", b" 255 0 0 255"), (b"NOFF", b" 0 0 1"), (b"STOFF", b" 0.5 0.5"), (b"STCNOFF", b" 1 2 3 4 5 6 7 8 9"), (b"OFF", b" 0.1 0.2 0.3")):
+        for keyword, extra in (
+            (b"COFF", b" 255 0 0 255"),
+            (b"NOFF", b" 0 0 1"),
+            (b"STOFF", b" 0.5 0.5"),
+            (b"STCNOFF", b" 1 2 3 4 5 6 7 8 9"),
+            (b"OFF", b" 0.1 0.2 0.3"),
+        ):
             with self.case(keyword=keyword):
                 text = [keyword, rows[0], *(v + extra for v in vertices), *faces]
                 self.expect_accepted("more.off", b"\n".join(text) + b"\n", MESH)
@@ -297,7 +313,12 @@ class Honest(FaultTest):
         for how, text in (
             ("upper case", data.upper()),
             ("one line each token", changed(data, b"solid small mesh", b"solid").replace(b" ", b"\n")),
-            ("all in few lines", data.replace(b"\nouter loop\nvertex", b" outer loop vertex").replace(b"\nendloop\nendfacet", b" endloop endfacet")),
+            (
+                "all in few lines",
+                data.replace(
+                    b"\nouter loop\nvertex", b" outer loop vertex"
+                ).replace(b"\nendloop\nendfacet", b" endloop endfacet"),
+            ),
             ("no name", changed(data, b"solid small mesh", b"solid")),
             ("two solids", data.replace(b"endsolid", b"endsolid small mesh\nsolid other\nendsolid other")),
         ):
@@ -320,7 +341,9 @@ class Lies(FaultTest):
         self.refused("swapped.ply", changed(big, b"big", b"little"), at_byte(r"\d+", "vertex index .* is out of range"))
         for kind in ("short", "ushort", "int", "uint"):
             little, big = (encode(MESH, length=kind).data for encode in (ply_binary, ply_big_endian))
-            self.refused("swapped.ply", changed(little, b"little", b"big"), at_byte(r"\d+", "list 'vertex_indices' cannot have"))
+            self.refused(
+                "swapped.ply", changed(little, b"little", b"big"), at_byte(r"\d+", "list 'vertex_indices' cannot have")
+            )
             self.refused("swapped.ply", changed(big, b"big", b"little"), at_byte(r"\d+", "list 'vertex_indices' cannot have"))
 
     def test_text_and_bytes_are_swapped(self):
@@ -370,26 +393,36 @@ class Lies(FaultTest):
                     says = at_line(line, f"(byte 0x{byte[0]:02x} is not text|'.*' for|. is missing)")
                     self.refused(f"nul.{extension(name)}", text, says)
             for byte in (b"\x7f", b"\x80", b"\xff", b"\xc2\xa0"):
-                self.refused(f"high.{extension(name)}", data[:place] + byte + data[place:], at_line(line, "'[?]+0.0' for . is not a number"))
+                self.refused(
+                    f"high.{extension(name)}",
+                    data[:place] + byte + data[place:],
+                    at_line(line, "'[?]+0.0' for . is not a number"),
+                )
 
     def test_there_is_something_behind_the_end(self):
         for name in ("ply ascii", "off"):
             data = encoded(name, MESH).data
             for behind in (b"0", b"0 0 0\n", b"3 0 1 2\n", b"garbage\n", b"\0"):
-                self.refused(f"behind.{extension(name)}", data + behind, at_line(data.count(b"\n") + 1, "data behind the last|byte 0x00"))
+                self.refused(
+                    f"behind.{extension(name)}", data + behind, at_line(data.count(b"\n") + 1, "data behind the last|byte 0x00")
+                )
         for name in ("ply little endian", "ply big endian"):
             data = encoded(name, MESH).data
             for behind in (b"\0", b"x", b"\n\0", b"\0" * 4096, data):
                 at = len(data) + (1 if behind[:1] == b"\n" else 0)
                 self.refused("behind.ply", data + behind, at_byte(at, "data behind the last element"))
         for behind in (b"\0", b"\n", b"\0" * 49, b"\0" * 50, b"\0" * 51):
-            self.refused("behind.stl", stl_binary(MESH).data + behind, at_byte(80, "40 triangles take 2084 bytes, but the file has"))
+            self.refused(
+                "behind.stl", stl_binary(MESH).data + behind, at_byte(80, "40 triangles take 2084 bytes, but the file has")
+            )
         data = stl_ascii(MESH).data
         for behind in (b"\ngarbage", b"\nfacet", b"\nendsolid", b"\nvertex 0 0 0"):
             self.refused("behind.stl", data + behind, at_line(data.count(b"\n") + 2, "'.*' stands where 'solid' should stand"))
         data = obj(MESH).data
         for behind in (b"0 0 0\n", b"@@\n", b"3\n", b"\0\n", b"(f 1 2 3)\n"):
-            self.refused("behind.obj", data + behind, at_line(data.count(b"\n") + 1, "is no OBJ statement|'.*' is no|byte 0x00"))
+            self.refused(
+                "behind.obj", data + behind, at_line(data.count(b"\n") + 1, "is no OBJ statement|'.*' is no|byte 0x00")
+            )
 
     def test_the_ply_header_is_wrong(self):
         data = ply_ascii(MESH).data
@@ -421,19 +454,39 @@ class Lies(FaultTest):
             (b"property float y", b"property float w", PLACE + "element 'vertex' has no property 'y'"),
             (b"property float z", b"property float w", PLACE + "element 'vertex' has no property 'z'"),
             (b"property float y", b"property float x", PLACE + "property 'x' of element 'vertex' is declared twice"),
-            (b"property float x", b"property list uchar float x", PLACE + "property 'x' of element 'vertex' is of the wrong kind"),
-            (b"list uchar int vertex_indices", b"int vertex_indices", PLACE + "property 'vertex_indices' .* is of the wrong kind"),
+            (
+                b"property float x",
+                b"property list uchar float x",
+                PLACE + "property 'x' of element 'vertex' is of the wrong kind",
+            ),
+            (
+                b"list uchar int vertex_indices",
+                b"int vertex_indices",
+                PLACE + "property 'vertex_indices' .* is of the wrong kind",
+            ),
             (b"vertex_indices", b"vertex_numbers", PLACE + "element 'face' has no list 'vertex_indices'"),
             (b"list uchar int", b"list float int", at_line(8, "the length of a list is not an integer")),
             (b"list uchar int", b"list uchar", at_line(8, "unknown type 'vertex_indices'")),
             (b"list uchar int", b"list", at_line(8, "unknown type 'vertex_indices'")),
             (b"list uchar int", b"list uchar float", PLACE + "the vertex indices are not integers"),
-            (b"uchar int vertex_indices", b"uchar int vertex_indices\nproperty list uchar int vertex_index", PLACE + ".* is declared twice"),
+            (
+                b"uchar int vertex_indices",
+                b"uchar int vertex_indices\nproperty list uchar int vertex_index",
+                PLACE + ".* is declared twice",
+            ),
             (b"end_header", b"end_header x", at_line(9, "unexpected 'x'")),
             (b"end_header", b"end_heade", at_line(9, "unknown header line 'end_heade'")),
             (b"end_header\n", b"", at_line(9, "unknown header line '0.0'")),
-            (b"element face", b"element vertex 0\nproperty float x\nproperty float y\nproperty float z\nelement face", PLACE + "element 'vertex' is declared twice"),
-            (b"end_header", b"element face 0\nproperty list uchar int vertex_indices\nend_header", PLACE + "element 'face' is declared twice"),
+            (
+                b"element face",
+                b"element vertex 0\nproperty float x\nproperty float y\nproperty float z\nelement face",
+                PLACE + "element 'vertex' is declared twice",
+            ),
+            (
+                b"end_header",
+                b"element face 0\nproperty list uchar int vertex_indices\nend_header",
+                PLACE + "element 'face' is declared twice",
+            ),
         ):  # fmt: skip
             self.refused("header.ply", changed(data, old, new), says, 4 if "no faces" in says else 3)
 

@@ -20,9 +20,13 @@ def integer_cases(file, data, wrong, spell):
     for index in wrong:
         yield Case(f"index {index}", file, spell(str(index)), 3, at_line(line, f"vertex index {index} {OUT_OF_RANGE}"))
     for index in TOO_LARGE:
-        yield Case(f"index {index}"[:40], file, spell(str(index)), 3, at_line(line, "'.*' for .* (is too large|is not an integer)"))
+        yield Case(
+            f"index {index}"[:40], file, spell(str(index)), 3, at_line(line, "'.*' for .* (is too large|is not an integer)")
+        )
     for text in NO_INTEGERS:
-        yield Case(f"index {text}", file, spell(text), 3, at_line(line, f"'{re.escape(text)}' for .* is not a(n integer| number)"))
+        yield Case(
+            f"index {text}", file, spell(text), 3, at_line(line, f"'{re.escape(text)}' for .* is not a(n integer| number)")
+        )
 
 
 class Indices(FaultTest):
@@ -86,7 +90,9 @@ class Indices(FaultTest):
         points = head.splitlines(keepends=True)
         with self.case(indices="before all vertices"):
             lie = b"".join(points[:2]) + b"f -1 -2 -3\n" + b"".join(points[2:]) + b"f " + tail
-            self.expect_refused(Case("early", "index.obj", lie, 3, at_line(3, r"vertex index -3 is out of range \(2 vertices\)")))
+            self.expect_refused(
+                Case("early", "index.obj", lie, 3, at_line(3, r"vertex index -3 is out of range \(2 vertices\)"))
+            )
 
     def test_of_obj_may_point_forward(self):
         data = obj(small_mesh()).data

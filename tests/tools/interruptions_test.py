@@ -48,7 +48,16 @@ class Interruption(FaultTest):
         (self.folder / scan_file(phase)).write_bytes(encoded(encoding, sphere(*size)).data)
 
     def arguments(self, phase):
-        return ["simplify", scan_file(phase), "-o", "base.ply", "--correspondence", "correspondence.ply", "--quiet", *PHASES[phase][2]]
+        return [
+            "simplify",
+            scan_file(phase),
+            "-o",
+            "base.ply",
+            "--correspondence",
+            "correspondence.ply",
+            "--quiet",
+            *PHASES[phase][2],
+        ]
 
     def undisturbed(self, phase):
         """What a run writes when nothing happens, and how long it takes; the report is left out, for it has times."""
@@ -156,7 +165,9 @@ class Disks(Interruption):
 
     def test_a_limit_on_files_at_any_size_leaves_the_old_outputs(self):
         base = ["-o", "base.ply"]
-        for arguments in (base, [*base, "--report", "report.json"], [*base, "--correspondence", "correspondence.ply"], self.outputs()):
+        for arguments in (
+            base, [*base, "--report", "report.json"], [*base, "--correspondence", "correspondence.ply"], self.outputs()
+        ):
             with self.case(arguments=arguments):
                 self.reset_outputs()
                 run = measure(["simplify", "scan.ply", "--quiet", *arguments], self.folder)
@@ -208,7 +219,12 @@ class Disks(Interruption):
             self.refused("-o", "pipe.ply", says="is not a regular file")
 
     def test_a_folder_is_not_replaced_and_has_to_be_there(self):
-        for name, says in (("folder.ply", "is a folder"), ("none/base.ply", "No such file"), ("base.ply/base.ply", "Not a directory"), ("n" * 300 + ".ply", "File name too long")):
+        for name, says in (
+            ("folder.ply", "is a folder"),
+            ("none/base.ply", "No such file"),
+            ("base.ply/base.ply", "Not a directory"),
+            ("n" * 300 + ".ply", "File name too long"),
+        ):
             for option in ("--output", "--report", "--correspondence"):
                 with self.case(name=name[:20], option=option):
                     (self.folder / "folder.ply").mkdir()
@@ -245,7 +261,13 @@ class Disks(Interruption):
             self.refused("-o", "base.ply", says="Permission denied", **user)
 
     def test_the_scan_is_never_the_output(self):
-        for arguments in (["-o", "scan.ply"], ["-o", "./scan.ply"], ["-o", "link.ply"], ["-o", "hard.ply"], ["-o", "b.ply", "--report", "scan.ply"]):
+        for arguments in (
+            ["-o", "scan.ply"],
+            ["-o", "./scan.ply"],
+            ["-o", "link.ply"],
+            ["-o", "hard.ply"],
+            ["-o", "b.ply", "--report", "scan.ply"],
+        ):
             with self.case(arguments=arguments):
                 data = (self.folder / "scan.ply").read_bytes()
                 (self.folder / "link.ply").symlink_to("scan.ply")

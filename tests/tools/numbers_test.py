@@ -13,7 +13,9 @@ from faults import ALL_FACES, MEGABYTE, PLACE, Case, FaultTest, at_line, changed
 
 POINTS, FACES = small_mesh()
 # The first coordinate of the first vertex, 0.0, in each text encoding.
-FIRST = {"ply ascii": b"\n0.0 0.0 1.0\n", "off": b"\n0.0 0.0 1.0\n", "obj": b"v 0.0 0.0 1.0\n", "stl ascii": b"vertex 0.0 0.0 1.0\n"}
+FIRST = {
+    "ply ascii": b"\n0.0 0.0 1.0\n", "off": b"\n0.0 0.0 1.0\n", "obj": b"v 0.0 0.0 1.0\n", "stl ascii": b"vertex 0.0 0.0 1.0\n"
+}
 NOT_NUMBERS = (
     "zero", "0,5", "0,0", "0x1p3", "0x10", "--1", "+-1", "-+1", "++1", "1e", "1e+", "e5", "1.0.0", "1_000", "1'000",
     ".", "-", "+", "1f", "1.5d", "1d0", "infinit", "nane", "1e5.5", "\u0661", "\uff11", "\u22121", "1\u00a02", "$", "NULL", "#IND", "1.#INF", "1.#QNAN",
@@ -75,7 +77,9 @@ class Numbers(FaultTest):
 
     def test_that_are_none_are_named_with_their_line(self):
         for name in TEXTS:
-            self.expect_all_refused(self.cases_of(name, NOT_NUMBERS, 3, lambda line: at_line(line, "'.*' for x is not a number")))
+            self.expect_all_refused(
+                self.cases_of(name, NOT_NUMBERS, 3, lambda line: at_line(line, "'.*' for x is not a number"))
+            )
 
     def test_that_are_too_large_are_named_with_their_line(self):
         for name in TEXTS:
@@ -111,7 +115,12 @@ class Numbers(FaultTest):
     def test_of_a_megabyte_are_read_or_refused_at_once(self):
         ones, zeros = "1" * MEGABYTE, "0." + "0" * MEGABYTE + "1"
         for name in TEXTS:
-            for token, says in ((ones, "is too large"), ("a" * MEGABYTE, "is not a number"), ("1e" + ones, "is too large"), ("-" * MEGABYTE, "is not a number")):
+            for token, says in (
+                (ones, "is too large"),
+                ("a" * MEGABYTE, "is not a number"),
+                ("1e" + ones, "is too large"),
+                ("-" * MEGABYTE, "is not a number"),
+            ):
                 with self.case(encoding=name, token=token[:3], says=says):
                     data = double_typed(name)
                     lie = changed(data, FIRST[name], FIRST[name].replace(b"0.0", token.encode("ascii"), 1))
@@ -129,7 +138,9 @@ class Numbers(FaultTest):
                     self.expect_accepted(f"exact.{extension(name)}", spelled(name, double_typed(name), text), with_first(value))
 
     def test_declared_as_float_are_the_nearest_floats(self):
-        for text in ("0.1", "1e-46", "1e-45", "7.00649232162408535461864791644958065640e-46", "1.17549429e-38", "0.333333333333333333"):
+        for text in (
+            "0.1", "1e-46", "1e-45", "7.00649232162408535461864791644958065640e-46", "1.17549429e-38", "0.333333333333333333"
+        ):
             with self.case(text=text):
                 data = spelled("ply ascii", ply_ascii(small_mesh()).data, text)
                 # Twice rounded is what would be once, save for the exact half, which the texts above are not.
@@ -138,7 +149,10 @@ class Numbers(FaultTest):
         for text in ("1e39", "-3.5e38", "3.4028236e38"):
             with self.case(text=text):
                 data = spelled("ply ascii", ply_ascii(small_mesh()).data, text)
-                says = at_line(first_line("ply ascii", data.replace(text.encode("ascii"), b"0.0")), f"'{re.escape(text)}' for x is too large")
+                says = at_line(
+                    first_line("ply ascii", data.replace(text.encode("ascii"), b"0.0")),
+                    f"'{re.escape(text)}' for x is too large",
+                )
                 self.expect_refused(Case(text, "float.ply", data, 3, says))
 
     def test_in_bytes_are_taken_as_they_are(self):
@@ -164,7 +178,15 @@ class Numbers(FaultTest):
                 self.expect_accepted("int.ply", ply_ascii((grown, FACES), vertex=kind).data, (grown, FACES))
         with self.case(type="int", text="0.5"):
             data = ply_ascii((grown, FACES), vertex="int").data
-            self.expect_refused(Case("half", "int.ply", changed(data, b"\n0 0 64\n", b"\n0.5 0 64\n"), 3, at_line(10, "'0.5' for x is not an integer")))
+            self.expect_refused(
+                Case(
+                    "half",
+                    "int.ply",
+                    changed(data, b"\n0 0 64\n", b"\n0.5 0 64\n"),
+                    3,
+                    at_line(10, "'0.5' for x is not an integer"),
+                )
+            )
 
     def test_have_a_decimal_point_in_every_locale(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -34,7 +34,12 @@ class OddFiles(FaultTest):
                 self.refused(f"empty.{suffix}", r"\Athe file is empty\Z")
 
     def test_a_file_that_is_blank(self):
-        for suffix, code, says in (("ply", 3, "a PLY file starts"), ("obj", 4, "no faces"), ("off", 3, "an OFF file starts"), ("stl", 3, "neither ascii STL")):
+        for suffix, code, says in (
+            ("ply", 3, "a PLY file starts"),
+            ("obj", 4, "no faces"),
+            ("off", 3, "an OFF file starts"),
+            ("stl", 3, "neither ascii STL"),
+        ):
             for text in (b"\n", b" \r\n\t\n" * 1000):
                 with self.case(suffix=suffix, text=text[:3]):
                     (self.folder / f"blank.{suffix}").write_bytes(text)
@@ -48,7 +53,9 @@ class OddFiles(FaultTest):
                 self.refused(name, r"\A(No such file or directory|Not a directory)\Z")
 
     def test_a_link_that_leads_nowhere_or_round(self):
-        for name, target, says in (("nowhere.ply", "none.ply", "No such file"), ("loop.ply", "loop.ply", "Too many levels of symbolic links")):
+        for name, target, says in (
+            ("nowhere.ply", "none.ply", "No such file"), ("loop.ply", "loop.ply", "Too many levels of symbolic links")
+        ):
             with self.case(name=name):
                 (self.folder / name).symlink_to(target)
                 self.refused(name, says)
@@ -142,14 +149,21 @@ class OddFiles(FaultTest):
                 run = self.simplify(name)
                 self.assertEqual(run.code, 3)
                 self.assertIn("File name too long", run.stderr)
-                for outputs in (["-o", name], ["-o", "other.ply", "--report", name], ["-o", "other.ply", "--correspondence", name]):
+                for outputs in (
+                    ["-o", name], ["-o", "other.ply", "--report", name], ["-o", "other.ply", "--correspondence", name]
+                ):
                     run = measure(["simplify", "missing.ply", *outputs], self.folder)
                     self.assertEqual(run.code, 5, run.stderr)
                 self.assertEqual(self.files(), sorted(OUTPUTS))
 
     @unittest.skipIf(SANITIZED, "sanitizers bound what can be mapped")
     def test_five_gigabytes_of_nothing(self):
-        for suffix, says in (("ply", "byte 0x00 is not text"), ("obj", "byte 0x00 is not text"), ("off", "byte 0x00 is not text"), ("stl", r"\Abyte 80: 0 triangles")):
+        for suffix, says in (
+            ("ply", "byte 0x00 is not text"),
+            ("obj", "byte 0x00 is not text"),
+            ("off", "byte 0x00 is not text"),
+            ("stl", r"\Abyte 80: 0 triangles"),
+        ):
             with self.case(suffix=suffix):
                 with open(self.folder / f"sparse.{suffix}", "wb") as file:
                     file.truncate(SPARSE)
@@ -180,7 +194,12 @@ class OddFiles(FaultTest):
         """The files are as large as they claim, so that only the limit is in the way."""
         vertex = b"property uchar x\nproperty uchar y\nproperty uchar z\n"
         for what, header, size, says in (
-            ("ply", b"ply\nformat binary_little_endian 1.0\nelement vertex 2147483648\n" + vertex + b"end_header\n", 7 << 30, "2147483648 vertices are too many"),
+            (
+                "ply",
+                b"ply\nformat binary_little_endian 1.0\nelement vertex 2147483648\n" + vertex + b"end_header\n",
+                7 << 30,
+                "2147483648 vertices are too many",
+            ),
             ("off", b"OFF\n2147483648 0 0\n", 13 << 30, "the vertices or faces are too many"),
             ("off", b"OFF\n0 1431655766 0\n", 3 << 30, "the vertices or faces are too many"),
         ):  # fmt: skip

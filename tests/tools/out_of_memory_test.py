@@ -85,7 +85,9 @@ class AddressSpace(OutOfMemory):
             with open(self.folder / "large.stl", "wb") as file:
                 file.write(stl_binary(small_mesh()).data)
                 file.truncate(1 << 30)
-            run = measure(["simplify", "large.stl", "-o", "base.ply"], self.folder, preexec_fn=limit(resource.RLIMIT_AS, 256 * MEGABYTE))
+            run = measure(
+                ["simplify", "large.stl", "-o", "base.ply"], self.folder, preexec_fn=limit(resource.RLIMIT_AS, 256 * MEGABYTE)
+            )
             self.assertEqual((run.code, run.stderr), (7, TOLD))
             self.expect_old_outputs("large.stl")
 
@@ -93,7 +95,15 @@ class AddressSpace(OutOfMemory):
         """The stack of a thread takes 8 MB of address space each."""
         with self.case(threads=1024):
             (self.folder / "scan.ply").write_bytes(ply_binary(sphere(40, 80)).data)
-            run = self.simplify("scan.ply", "--quiet", "--threads", "1024", "--faces", "5000", preexec_fn=limit(resource.RLIMIT_AS, 400 * MEGABYTE))
+            run = self.simplify(
+                "scan.ply",
+                "--quiet",
+                "--threads",
+                "1024",
+                "--faces",
+                "5000",
+                preexec_fn=limit(resource.RLIMIT_AS, 400 * MEGABYTE),
+            )
             self.expect_done_or_told(run, ["scan.ply"])
 
     def test_threads_that_the_system_refuses_are_told(self):
@@ -143,12 +153,16 @@ class FailingMalloc(OutOfMemory):
         """The command, the files that it reads, and how often it is tried in comparison to the first."""
         points, faces = sphere(10, 20)
         thirds = [tuple(x / 3 for x in point) for point in points], faces
-        simplify = ["simplify", "--quiet", "-o", "base.ply", "--report", "report.json", "--correspondence", "correspondence.ply"]
+        simplify = [
+            "simplify", "--quiet", "-o", "base.ply", "--report", "report.json", "--correspondence", "correspondence.ply"
+        ]
         verify = ["verify", "--quiet", "--report", "report.json", "--violations", "correspondence.ply"]
         return {
             "simplify": ([*simplify, "scan.ply"], {"scan.ply": ply_binary((points, faces)).data}),
             "simplify one thread": ([*simplify, "--threads", "1", "scan.obj"], {"scan.obj": obj(thirds).data}),
-            "simplify trimmed": ([*simplify, "--boundary", "trim", "scan.ply"], {"scan.ply": ply_binary(hill(12), vertex="double").data}),
+            "simplify trimmed": (
+                [*simplify, "--boundary", "trim", "scan.ply"], {"scan.ply": ply_binary(hill(12), vertex="double").data}
+            ),
             "verify": ([*verify, "made.ply", "scan.ply"], {"scan.ply": ply_binary((points, faces)).data, "made.ply": None}),
             "info": (["info", "--json", "scan.stl"], {"scan.stl": stl_binary((points, faces)).data}),
         }

@@ -26,7 +26,17 @@ class Parallel(FaultTest):
         self.assertEqual(simplify.code, 0, simplify.stderr)
         told = self.json_of("report.json")
         verify = measure(
-            ["verify", "base.ply", "scan.ply", "--report", "report.json", "--violations", "violations.ply", "--threads", str(threads)],
+            [
+                "verify",
+                "base.ply",
+                "scan.ply",
+                "--report",
+                "report.json",
+                "--violations",
+                "violations.ply",
+                "--threads",
+                str(threads),
+            ],
             self.folder,
         )
         self.assertEqual(verify.code, 0, verify.stderr)

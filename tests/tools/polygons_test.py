@@ -25,7 +25,9 @@ def polygon(*corners):
 
 def star(corners, step):
     """A regular polygon that goes to every `step`-th corner."""
-    return polygon(*((math.cos(2 * math.pi * step * i / corners), math.sin(2 * math.pi * step * i / corners), 0) for i in range(corners)))
+    return polygon(
+        *((math.cos(2 * math.pi * step * i / corners), math.sin(2 * math.pi * step * i / corners), 0) for i in range(corners))
+    )
 
 
 def rounded(mesh):
