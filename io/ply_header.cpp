@@ -127,10 +127,10 @@ bool parse_line(TextCursor& cursor, PlyHeader& header, std::optional<PlyFormat>&
     return keyword != "end_header";
 }
 
-/// True if lines end at CR alone. Then a LF behind `end_header` CR is data.
+/// True if lines end at CR alone. Then a LF behind `end_header` CR is data. A header has several lines.
 bool ends_lines_at_carriage_return(std::string_view bytes) {
     const std::size_t end = bytes.find_first_of("\r\n");
-    return end != std::string_view::npos && bytes[end] == '\r' && bytes.substr(end, 2) != "\r\n";
+    return bytes[end] == '\r' && bytes.substr(end, 2) != "\r\n";
 }
 
 } // namespace

@@ -84,7 +84,7 @@ double PlyText::value(const PlyProperty& property) {
 
 std::size_t PlyText::list_length(const PlyProperty& property) {
     const std::int64_t length = cursor_.integer("the length of a list");
-    if (length < 0 || static_cast<std::uint64_t>(length) > space_left() / 2) {
+    if (static_cast<std::uint64_t>(length) > space_left() / 2) { // negative ones too, which become huge
         fail(fmt::format("list {} cannot have {} values", in_quotes(property.name), length));
     }
     return static_cast<std::size_t>(length);

@@ -155,7 +155,7 @@ private:
         const std::uint64_t length = count("the length of a face");
         for (std::uint64_t i = 0; i < length; ++i) {
             const std::int64_t index = cursor_.integer("a vertex index");
-            if (index < 0 || static_cast<std::uint64_t>(index) >= vertices_) {
+            if (static_cast<std::uint64_t>(index) >= vertices_) { // negative ones too, which become huge
                 cursor_.fail(out_of_range_text(index, vertices_));
             }
             corners_.push_back(static_cast<std::int32_t>(index));

@@ -199,7 +199,7 @@ private:
         instance.indices.clear();
         for (std::size_t left = source_.list_length(property); left > 0; --left) {
             const std::int64_t index = source_.index(property);
-            if (index < 0 || static_cast<std::uint64_t>(index) >= vertices_) {
+            if (static_cast<std::uint64_t>(index) >= vertices_) { // negative ones too, which become huge
                 source_.fail(out_of_range_text(index, vertices_));
             }
             instance.indices.push_back(static_cast<std::int32_t>(index));
@@ -295,7 +295,8 @@ private:
         mesh_.face_normals.reserve(found.has_normal() ? count : 0);
     }
 
-    static bool has_ranges(const Layout& found) { return found.has(Role::t_min) && found.has(Role::t_max); }
+    /// With t_max, as read_faces() has found.
+    static bool has_ranges(const Layout& found) { return found.has(Role::t_min); }
 
     void store_face(const Layout& found, const Instance& instance) {
         const std::size_t added = mesh_.add_polygon(instance.indices);

@@ -17,6 +17,8 @@ OUTPUTS = ("base.ply", "report.json", "correspondence.ply")
 OLD = b"what was there before"
 # More faces than any input here has: the scan is written as its own base mesh.
 ALL_FACES = "1000000000"
+# scripts/mutate-readers asks for files of one format at a time.
+FORMAT = os.environ.get("FOLDLESS_FORMAT", "")
 PLACE = r"(line|byte) \d+: "
 
 
@@ -112,6 +114,8 @@ class FaultTest(ProgramTest):
 
     def expect_refused(self, case):
         """The scan is refused by simplify, as the case says; info agrees."""
+        if not case.file.lower().endswith(FORMAT):
+            return
         path = self.folder / case.file
         path.write_bytes(case.data)
         run = self.simplify(case.file, "--faces", ALL_FACES)
@@ -127,6 +131,8 @@ class FaultTest(ProgramTest):
 
     def expect_accepted(self, file, data, mesh, *others):
         """simplify writes the scan as its own base mesh, each coordinate and each index as it is in `mesh`."""
+        if not file.lower().endswith(FORMAT):
+            return None
         path = self.folder / file
         if data is not None:
             path.write_bytes(data)

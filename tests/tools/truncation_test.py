@@ -3,7 +3,7 @@
 import unittest
 
 from encoded_meshes import ENCODINGS, content, encoded, extension, small_mesh, written_base
-from faults import ALL_FACES, PLACE, FaultTest
+from faults import ALL_FACES, FORMAT, PLACE, FaultTest
 from soak import soak
 
 PARTS = 32
@@ -46,6 +46,8 @@ class Truncation(FaultTest):
     def cut_everywhere(self, name, expect):
         whole = encoded(name, small_mesh())
         file = f"cut.{extension(name)}"
+        if not file.endswith(FORMAT):
+            return
         for cut in cuts(whole):
             with self.case(encoding=name, cut=cut):
                 expect(file, whole.data[:cut])
