@@ -435,6 +435,13 @@ class Lies(FaultTest):
         lines = off(MESH).data.splitlines(keepends=True)
         self.refused("short.off", b"".join(lines[:-1]), PLACE + "the file ends after 39 of 40 faces")
 
+    def test_the_end_comes_within_what_follows_a_list(self):
+        for order in "<>":
+            data = ply_bytes_with(order, lambda i: [i], lambda i: [0.25])
+            self.refused("short.ply", data[:-1], at_byte(len(data) - 2, "the file ends too early"))
+            data = ply_bytes_with(order, lambda i: [i], lambda i: [])
+            self.refused("short.ply", data[:-5], at_byte(len(data) - 6, "the file ends too early"))
+
     def test_the_end_of_a_page_of_memory_is_the_end(self):
         """Whoever looks one byte further is ended by SIGSEGV: nothing is mapped behind a file that fills its pages."""
         page = os.sysconf("SC_PAGE_SIZE")
