@@ -70,9 +70,10 @@ public:
         const std::int64_t written = integer(cursor, text);
         const auto known = static_cast<std::int64_t>(count);
         const bool relative = written < 0 && written >= -known;
-        if (!relative && (written <= 0 || static_cast<std::uint64_t>(written) > max_vertices)) {
+        if (!relative && written <= 0) {
             cursor.fail(message(written, count));
         }
+        // One that is too large for an int32 is not used: it is the largest, and out of range when all is read.
         const std::int64_t index = relative ? known + written : written - 1;
         if (index > largest_) {
             largest_ = index;

@@ -270,7 +270,7 @@ class Honest(FaultTest):
     def test_obj_may_say_more_than_positions_and_faces(self):
         more = (
             b"mtllib a b.mtl\no thing\ng one two\ns 1\ns off\nusemtl red\nvt 0.5 0.5\nvt 1\nvn 0 0 1\nvn nan 0 0\nvp 1 2\n"
-            b"p 1 2\nl 1 2 3\ncstype bezier\nunknown_word 1 2 3\n_x\nvt not a number\n"
+            b"p 1 2\nl 1 2 3\ncstype bezier\nunknown_word 1 2 3\n_x\nAn unknown word\nvt not a number\n"
         )
         data = obj(MESH).data
         with self.case(what="statements"):
