@@ -1,5 +1,6 @@
 """Groups B to E for base meshes: what verify says of a BASE whose properties are missing, no numbers, or out of range."""
 
+import itertools
 import unittest
 
 from encoded_meshes import encoded, obj, ply_ascii, ply_binary, small_mesh
@@ -84,6 +85,11 @@ class BrokenBase(FaultTest):
         self.verified(0, base_obj(lambda v: f"{v}//{v}"), "", "bad.obj")
         self.verified(0, base_obj(lambda v: f"{v}//{v - N - 1}"), "", "bad.obj")
         self.verified(0, base_obj(lambda v: f"{v}/7/{v}"), "", "bad.obj")
+        # Each normal is there twice, and corners name now the one, now the other.
+        which = itertools.cycle((0, N))
+        normals = "".join("vn {} {} {}\n".format(*p) for p in POINTS).encode("ascii")
+        twice = base_obj(lambda v: f"{v}//{v + next(which)}").replace(b"f ", normals + b"f ", 1)
+        self.verified(0, twice, "", "bad.obj")
 
     def test_scan_vertices_are_vertices_or_none(self):
         line = 16  # the first vertex
