@@ -23,11 +23,15 @@ std::string printable(const std::filesystem::path& path) {
     return text;
 }
 
-std::string in_quotes(std::string_view token) {
+std::string legible(std::string_view token) {
     std::string text(token.substr(0, longest_quote));
     std::ranges::replace_if(
         text, [](unsigned char c) { return c < first_printable || c >= delete_character; }, '?');
-    return "'" + text + (token.size() > longest_quote ? "...'" : "'");
+    return token.size() > longest_quote ? text + "..." : text;
+}
+
+std::string in_quotes(std::string_view token) {
+    return "'" + legible(token) + "'";
 }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {

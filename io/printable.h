@@ -12,7 +12,9 @@ namespace foldless {
 /// The path with every control character replaced by `?`.
 [[nodiscard]] std::string printable(const std::filesystem::path& path);
 
-/// The token in quotes, cut to a few dozen characters, with every byte that is not printable ASCII replaced by `?`.
+/// The token, cut to a few dozen characters, with every byte that is not printable ASCII replaced by `?`.
+[[nodiscard]] std::string legible(std::string_view token);
+/// The same in quotes.
 [[nodiscard]] std::string in_quotes(std::string_view token);
 
 /// "1 face" or "3 faces".

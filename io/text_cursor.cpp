@@ -32,10 +32,11 @@ Number checked(const TextCursor& cursor, std::string_view token, std::string_vie
         return parsed.value;
     }
     if (token.empty()) {
-        cursor.fail(fmt::format("{} is missing", what));
+        cursor.fail(fmt::format("{} is missing", legible(what)));
     }
     const bool range = parsed.error == std::errc::result_out_of_range;
-    cursor.fail(fmt::format("{} for {} {}", in_quotes(token), what, range ? "is too large" : "is not a number"));
+    cursor.fail(
+        fmt::format("{} for {} {}", in_quotes(token), legible(what), range ? "is too large" : "is not a number"));
 }
 
 } // namespace
@@ -100,7 +101,7 @@ std::int64_t TextCursor::integer(std::string_view what) {
     const std::string_view found = token();
     const auto parsed = parse_integer(found);
     if (parsed.error == std::errc::invalid_argument && parse_double(found).ok()) {
-        fail(fmt::format("{} for {} is not an integer", in_quotes(found), what));
+        fail(fmt::format("{} for {} is not an integer", in_quotes(found), legible(what)));
     }
     return checked(*this, found, what, parsed);
 }

@@ -34,7 +34,7 @@ public:
     /// The next token of the line or of those that follow, empty at the end of the text.
     [[nodiscard]] std::string_view token_of_any_line();
 
-    /// Numbers; `what` names them in messages, e.g. "x".
+    /// Numbers; `what` names them in messages, e.g. "x", and may come from the file.
     [[nodiscard]] double real(std::string_view what);
     [[nodiscard]] float real32(std::string_view what);
     [[nodiscard]] std::int64_t integer(std::string_view what);

@@ -253,6 +253,16 @@ TEST(PlyReader, RefusesMalformedAsciiFiles) {
     }
 }
 
+TEST(PlyReader, NamesAPropertyInOneShortLineWhateverItsName) {
+    const std::string name = "a\x7f\xc3" + std::string(100, 'x');
+    const std::string file = replaced(
+        replaced(ascii_triangle, "element face", "property int " + name + "\nelement face"), "1 0 0", "1 0 0 !");
+    const std::string known = "a??" + std::string(37, 'x') + "...";
+    EXPECT_EQ(unreadable("a.ply", replaced(file, "0 0 0", "0 0 0 1")),
+              "a.ply: line 12: '!' for " + known + " is not a number");
+    EXPECT_EQ(unreadable("a.ply", file), "a.ply: line 11: " + known + " is missing");
+}
+
 TEST(PlyReader, RefusesMalformedBinaryFiles) {
     const Malformed cases[] = {
         {"vertex 3", "vertex 5", "byte 169: element 'vertex' cannot have 5 instances in the 49 bytes that are left"},
