@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -229,9 +228,7 @@ std::string message_of(const CLI::ParseError& error, const CLI::App* command) {
 std::string Parser::usage_error(const CLI::ParseError& error) const {
     const auto commands = app_.get_subcommands();
     const CLI::App* command = commands.empty() ? nullptr : commands.front();
-    std::string text = message_of(error, command);
-    std::ranges::replace_if(
-        text, [](unsigned char c) { return c < ' '; }, '?');
+    const std::string text = printable(message_of(error, command));
     return fmt::format("{} (see foldless {}--help)", text, command == nullptr ? "" : command->get_name() + " ");
 }
 

@@ -20,6 +20,10 @@ class Messages(ProgramTest):
         self.assertIn("two?lines?", self.expect(0, "info", name).stdout)
         self.expect_one_line(3, "info", "no\nsuch.ply")
 
+    def test_control_characters_in_arguments_are_not_printed(self):
+        text = self.expect_one_line(2, "info", "a.ply", "--no\x7f\x1b[31m")
+        self.assertIn("--no??[31m", text)
+
     def test_a_report_holds_a_name_as_it_is(self):
         name = 'a "quoted"\nname.off'
         write_off(self.folder / name, tetrahedron())
