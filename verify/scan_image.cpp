@@ -91,7 +91,7 @@ private:
 class Inside {
 public:
     Inside(const Correspondents& all, std::int32_t scan_face, const std::vector<Edge>& odd)
-        : all_(all), base_(all.base), triangle_(all.triangle(scan_face)), odd_(odd) {}
+        : base_(all.base), triangle_(all.triangle(scan_face)), odd_(odd) {}
 
     std::optional<std::vector<std::int32_t>> find() {
         for (const Edge& edge : odd_) {
@@ -148,7 +148,6 @@ private:
         return true;
     }
 
-    const Correspondents& all_;
     const BaseFaces& base_;
     ScanTriangle triangle_;
     const std::vector<Edge>& odd_;
