@@ -4,11 +4,23 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace foldless {
+namespace {
+
+/// An edge over a power of two that makes its largest component 1 to 2, so that no product overflows or vanishes. The
+/// quarters keep the difference itself from overflowing.
+Vec3 edge(const Vec3& from, const Vec3& to) {
+    const Vec3 quarter = 0.25 * to - 0.25 * from;
+    const double size = quarter.cwiseAbs().maxCoeff();
+    return quarter.unaryExpr([size](double x) { return size > 0 ? std::ldexp(x, -std::ilogb(size)) : x; });
+}
+
+} // namespace
 
 Vec3 face_direction(const std::array<Vec3, 3>& corners) {
-    const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const Vec3 normal = edge(corners[0], corners[1]).cross(edge(corners[0], corners[2]));
     return to_float32(normal.normalized());
 }
 

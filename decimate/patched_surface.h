@@ -48,7 +48,8 @@ struct Fan {
     bool closed = true;
 };
 
-/// The displacement direction of a face with constant directions: its unit normal, rounded to float32.
+/// The displacement direction of a face with constant directions: its unit normal, rounded to float32, whatever the
+/// unit of length. Finite corners are assumed.
 [[nodiscard]] Vec3 face_direction(const std::array<Vec3, 3>& corners);
 
 class PatchedSurface {

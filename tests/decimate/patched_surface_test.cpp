@@ -151,6 +151,16 @@ TEST(PatchedSurface, GivesEachFaceItsOwnNormalWithConstantDirections) {
     }
 }
 
+// Overflowing products once made directions that are no numbers, in base meshes that verify() then refused.
+TEST(FaceDirection, IsTheSameAtEveryMagnitude) {
+    const std::array<Vec3, 3> corners{Vec3(0.25, 0, 1), Vec3(1, 0.125, -0.5), Vec3(-0.75, 1, 0.25)};
+    const Vec3 expected = face_direction(corners);
+    EXPECT_NEAR(expected.norm(), 1, 1e-7);
+    for (const double unit : {0x1p-1000, 0x1p-300, 0x1p300, 0x1p1023}) {
+        EXPECT_EQ(face_direction({unit * corners[0], unit * corners[1], unit * corners[2]}), expected) << unit;
+    }
+}
+
 TEST(PatchedSurface, KnowsWhichNewFacesAreStillTheirScanFaces) {
     World world(pyramid({0.4, 0.7, 0.3}));
     Patch patch;
