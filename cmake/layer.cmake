@@ -18,6 +18,13 @@ if(FOLDLESS_SANITIZE)
   target_link_options(foldless_settings INTERFACE -fsanitize=${FOLDLESS_SANITIZE})
 endif()
 
+# What guides libFuzzer: which branches an input takes. Tests and programs are compiled the same way and ignore it, so
+# that one build serves both.
+if(FOLDLESS_BUILD_FUZZERS)
+  target_compile_options(foldless_settings INTERFACE -fsanitize=fuzzer-no-link)
+  target_link_options(foldless_settings INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 # GCC 12 at -O2 drops the rounding of pairs of doubles to float32 and back where its vectoriser of straight-line code
 # joins them (io/float32.h): what is decided would differ from what is stored.
 target_compile_options(foldless_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)

@@ -1,4 +1,5 @@
 #include "../soak.h"
+#include "passage_oracle.h"
 #include "prismoid_samples.h"
 
 #include <foldless/predicates/prismoid_line.h>
@@ -28,13 +29,6 @@ struct Counts {
 Counts counts;
 
 using Kind = Passage::Kind;
-
-int lowest(unsigned walls) {
-    return (walls & 1U) != 0 ? 0 : (walls & 2U) != 0 ? 1 : 2;
-}
-bool is_one(unsigned walls) {
-    return walls == (1U << lowest(walls));
-}
 
 /// A start or an end as both know it.
 struct Known {
@@ -69,36 +63,16 @@ Step checked_step(const Prismoid& prismoid, const Vec3& p, const Vec3& q, const 
     const ScanLine line{&p, &q};
     const std::optional<oracle::Exit> exit =
         oracle::exit_of(prismoid.triangle, prismoid.range, p, q, {start.t, start.at.walls});
-    const bool ends = end && (!exit || exit->past_end >= 0);
-    const auto agrees = [&](const Passage& passage) {
-        if (ends) {
-            EXPECT_EQ(passage.kind, Kind::ends);
-            EXPECT_TRUE(passage.kind != Kind::ends || is_root(passage.t, end->t));
-            return;
-        }
-        if (!exit) { // lost, or a root beyond what the oracle looks at
-            EXPECT_TRUE(passage.kind == Kind::lost || within(passage.t, prismoid.range) == Sign::negative);
-            return;
-        }
-        if (exit->past_end > 0 && passage.kind == Kind::lost) {
-            return; // as good: there is no such point of the line
-        }
-        const bool is_tie = !is_one(exit->at_start ? exit->out : exit->zero);
-        EXPECT_EQ(passage.kind, is_tie ? Kind::pillar : Kind::leaves)
-            << "out " << exit->out << ", zero " << exit->zero << ", at start " << exit->at_start;
-        EXPECT_TRUE(passage.wall >= 0 && (exit->out & wall_bit(passage.wall)) != 0)
-            << passage.wall << " is not in " << exit->out;
-        EXPECT_TRUE(passage.kind == Kind::lost || is_root(passage.t, exit->t));
-    };
+    const TruePassage truth{prismoid.range, exit, end ? std::optional(end->t) : std::nullopt};
     const PrismoidPoint* known_end = end ? &end->at : nullptr;
     {
         const WithoutFilters exactly;
-        agrees(follow_line(prismoid.triangle, line, start.at, known_end));
+        EXPECT_EQ(disagreement(follow_line(prismoid.triangle, line, start.at, known_end), truth), "");
     }
     const SignCounts before = sign_counts();
     const Passage passage = follow_line(prismoid.triangle, line, start.at, known_end);
     counts.exact += sign_counts().exact > before.exact ? 1 : 0;
-    agrees(passage);
+    EXPECT_EQ(disagreement(passage, truth), "");
     counts.ends += passage.kind == Kind::ends ? 1 : 0;
     counts.lost += passage.kind == Kind::lost ? 1 : 0;
     counts.pillars += passage.kind == Kind::pillar ? 1 : 0;

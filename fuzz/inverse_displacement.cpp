@@ -1,0 +1,113 @@
+// Inverse displacements: solutions that are solutions, the same in every unit of length, and enclosures that hold a
+// root of the exact cubic.
+
+#include "drawn_prismoid.h"
+#include "prismoid_oracle.h"
+#include "require.h"
+
+#include <foldless/predicates/enclosure.h>
+#include <foldless/predicates/inverse_displacement.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace foldless::fuzz {
+namespace {
+
+/// Any triangle, folded or not, or one of a base mesh.
+BaseTriangle drawn_any_triangle(ByteSource& bytes, Grain grain) {
+    if (bytes.flag()) {
+        return drawn_triangle(bytes, grain);
+    }
+    BaseTriangle triangle{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        triangle.v[i] = drawn_vector(bytes, grain);
+        triangle.d[i] = drawn_vector(bytes, grain);
+    }
+    return triangle;
+}
+
+/// The list is in order, and what it holds is finite where no unit is extreme.
+void require_sound(const Preimages& preimages) {
+    require(preimages.size() <= 3, "at most three solutions");
+    require(preimages.kind != Preimages::Kind::none || preimages.empty(), "none is none");
+    require(preimages.kind != Preimages::Kind::finite || !preimages.empty(), "a finite list is not empty");
+    const auto is_unordered = [](const Preimage& a, const Preimage& b) { return !(a.t < b.t); };
+    require(std::adjacent_find(preimages.begin(), preimages.end(), is_unordered) == preimages.end(),
+            "solutions are in ascending order");
+}
+
+void require_same(const Preimages& a, const Preimages& b, double t_unit) {
+    require(a.kind == b.kind && a.size() == b.size(), "as many solutions in every unit");
+    for (int i = 0; i < a.size(); ++i) {
+        require(a[i].alpha == b[i].alpha && a[i].t * t_unit == b[i].t, "the same solutions in every unit");
+    }
+}
+
+/// The unit of length is a power of two, far from where doubles end.
+void require_same_in_other_units(const BaseTriangle& triangle, const Vec3& q, ByteSource& bytes) {
+    const double length = std::ldexp(1.0, bytes.bits<std::int8_t>());
+    const double direction = std::ldexp(1.0, bytes.bits<std::int8_t>());
+    BaseTriangle scaled = triangle;
+    for (std::size_t i = 0; i < 3; ++i) {
+        scaled.v[i] *= length;
+        scaled.d[i] *= direction;
+    }
+    require_same(InverseDisplacement(triangle).preimages(q), InverseDisplacement(scaled).preimages(q * length),
+                 length / direction);
+}
+
+bool has_solution(const BaseTriangle& triangle, const Vec3& q, const Enclosure& enclosure) {
+    using oracle::Rational;
+    const oracle::Polynomial cubic = oracle::cubic(triangle, q);
+    const Rational t(enclosure.t);
+    const Rational error(enclosure.t_error);
+    return cubic.empty() || !oracle::roots_in(cubic, t - error, t + error).empty();
+}
+
+void require_true_enclosures(const BaseTriangle& triangle, const Vec3& q, const Preimages& preimages) {
+    for (const Preimage& preimage : preimages) {
+        if (const auto enclosure = enclose(triangle, q, preimage.alpha, preimage.t)) {
+            require(std::isfinite(enclosure->t_error) && std::isfinite(enclosure->alpha_error), "an error is finite");
+            require(has_solution(triangle, q, *enclosure), "an enclosure holds a solution");
+        }
+    }
+}
+
+void require_nearest(const InverseDisplacement& inverse, const Vec3& q, const Preimages& preimages) {
+    const std::optional<Preimage> nearest = inverse.nearest(q);
+    const auto is_inside = [](const Preimage& preimage) { return inside(preimage); };
+    require(nearest.has_value() == std::any_of(preimages.begin(), preimages.end(), is_inside),
+            "one of the solutions inside is the nearest");
+    for (const Preimage& preimage : preimages) {
+        require(!inside(preimage) || std::abs(nearest->t) <= std::abs(preimage.t), "no other is nearer");
+    }
+}
+
+} // namespace
+} // namespace foldless::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace foldless;
+    using namespace foldless::fuzz;
+    ByteSource bytes(data, size);
+    const auto grain = static_cast<Grain>(bytes.below(grains));
+    const BaseTriangle triangle = drawn_any_triangle(bytes, grain);
+    const InverseDisplacement inverse(triangle);
+    do {
+        const Vec3 q = bytes.flag() ? drawn_point(bytes, triangle, grain) : drawn_vector(bytes, grain);
+        const Preimages preimages = inverse.preimages(q);
+        fuzz::require_sound(preimages);
+        require_nearest(inverse, q, preimages);
+        const double end = drawn_number(bytes, grain);
+        for (const Preimage& preimage : inverse.preimages(q, {std::min(end, 0.0), std::max(end, 0.0)})) {
+            require(std::min(end, 0.0) <= preimage.t && preimage.t <= std::max(end, 0.0), "a range is kept to");
+        }
+        if (grain != Grain::any) {
+            require_same_in_other_units(triangle, q, bytes);
+            require_true_enclosures(triangle, q, preimages);
+        }
+    } while (!bytes.is_empty());
+    return 0;
+}

@@ -1,0 +1,13 @@
+// Any bytes as a OBJ file: read soundly, or refused in one line.
+
+#include "reading.h"
+
+#include <foldless/io/read_obj.h>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace foldless;
+    for (const Content content : {Content::scan, Content::base_mesh}) {
+        fuzz::require_read_or_refused([&] { return read_obj(fuzz::text_of(data, size), "f", content); });
+    }
+    return 0;
+}
