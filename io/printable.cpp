@@ -31,7 +31,7 @@ std::string legible(std::string_view token) {
 }
 
 std::string in_quotes(std::string_view token) {
-    return "'" + legible(token) + "'";
+    return fmt::format("'{}'", legible(token));
 }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {
