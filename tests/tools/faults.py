@@ -2,6 +2,7 @@
 
 import os
 import re
+import resource
 import subprocess
 import sys
 import threading
@@ -100,6 +101,8 @@ class FaultTest(ProgramTest):
         if SANITIZED:
             return
         self.assertLessEqual(run.cpu_seconds, 2 + size / (100 * MEGABYTE))
+        own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+        self.assertLess(own, 64 * MEGABYTE, "run fewer tests at once: nothing smaller than this process can be measured")
         self.assertLessEqual(run.peak_bytes, 20 * size + 64 * MEGABYTE)
 
     def expect_reason(self, run, code, prefix, says):

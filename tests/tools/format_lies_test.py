@@ -443,7 +443,7 @@ class Lies(FaultTest):
             self.refused("short.ply", data[:-5], at_byte(len(data) - 6, "the file ends too early"))
 
     def test_the_end_of_a_page_of_memory_is_the_end(self):
-        """Whoever looks one byte further is ended by SIGSEGV: nothing is mapped behind a file that fills its pages."""
+        """Whoever looks one byte further may be ended by SIGSEGV: the file fills its pages, and no zeros follow it."""
         page = os.sysconf("SC_PAGE_SIZE")
         for file, data, end, says in (
             ("page.obj", obj(MESH).data, b"\nf 1 2 \\", r"'\\' for a vertex index is not an integer"),

@@ -117,6 +117,10 @@ class Indices(FaultTest):
             with self.case(corner=corner):
                 lie = changed(data, b"\nf 1 6 2\n", f"\nf {corner} 6 2\n".encode("ascii"))
                 self.expect_refused(Case(corner, "slash.obj", lie, 3, at_line(line, "'x?' for a vertex index is not")))
+        with self.case(corner="a backslash within a line"):
+            lie = changed(data, b"\nf 1 6 2\n", b"\nf 1 6\\2\n")
+            says = at_line(line, r"'6\\2' for a vertex index is not an integer")
+            self.expect_refused(Case("backslash", "slash.obj", lie, 3, says))
         # What is ignored needs not be there; the position is what it says.
         for corner in ("1/1", "1/2/999", "1//7", "1/-1/-1", "1/0/0", "+1", "01", "1/1/1"):
             with self.case(corner=corner):
