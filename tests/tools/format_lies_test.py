@@ -435,6 +435,12 @@ class Lies(FaultTest):
         lines = off(MESH).data.splitlines(keepends=True)
         self.refused("short.off", b"".join(lines[:-1]), PLACE + "the file ends after 39 of 40 faces")
 
+    def test_the_end_comes_where_a_word_should_stand(self):
+        data = stl_ascii(MESH).data
+        for word in ("normal", "outer", "vertex", "endloop", "endfacet"):
+            before = data[: data.index(word.encode("ascii"))]
+            self.refused("short.stl", before, PLACE + f"the file ends where '{word}' should stand")
+
     def test_the_end_comes_within_what_follows_a_list(self):
         for order in "<>":
             data = ply_bytes_with(order, lambda i: [i], lambda i: [0.25])
