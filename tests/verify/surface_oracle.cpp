@@ -1272,7 +1272,8 @@ void Tiling::fill(int face) {
     }
     for (const int vertex : inside) {
         faces_inside_[vertex].insert(face);
-        for (const auto& [edge, entry] : o_.base_edges_) {
+        for (const auto& entry : o_.base_edges_) {
+            const auto& edge = entry.first;
             if (edge.first != vertex && edge.second != vertex) {
                 continue;
             }
