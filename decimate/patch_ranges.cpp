@@ -4,24 +4,9 @@
 #include <foldless/predicates/pillar.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace foldless {
-namespace {
-
-/// The nearest float32 not above / not below the value.
-double float_below(double value) {
-    const double rounded = to_float32(value);
-    const float infinity = std::numeric_limits<float>::infinity();
-    return rounded > value ? std::nextafter(static_cast<float>(rounded), -infinity) : rounded;
-}
-double float_above(double value) {
-    return -float_below(-value);
-}
-
-} // namespace
-
 void PatchRanges::reset(PatchedSurface& surface) {
     surface_ = &surface;
     const double infinity = std::numeric_limits<double>::infinity();
@@ -50,7 +35,7 @@ Verdict PatchRanges::reach_pillar(std::int32_t vertex, const ScanTriangle& q) {
 
 Range PatchRanges::rounded(int cell) const {
     const Range& hull = hulls_[cell];
-    return hull.lo <= hull.hi ? Range{float_below(hull.lo), float_above(hull.hi)} : Range{0.0, 0.0};
+    return hull.lo <= hull.hi ? Range{float32_below(hull.lo), float32_above(hull.hi)} : Range{0.0, 0.0};
 }
 
 void PatchRanges::extend(int cell, Range t) {

@@ -3,6 +3,7 @@
 #include <foldless/verify/face_checks.h>
 #include <foldless/verify/scan_image.h>
 
+#include <foldless/io/float32.h>
 #include <foldless/predicates/jacobian.h>
 #include <foldless/predicates/pillar.h>
 
@@ -81,16 +82,11 @@ public:
         for (const std::vector<Range>& some : local_) {
             hull = {std::min(hull.lo, some[face].lo), std::max(hull.hi, some[face].hi)};
         }
-        return hull.lo <= hull.hi ? Range{-rounded_up(-hull.lo), rounded_up(hull.hi)} : Range{0.0, 0.0};
+        return hull.lo <= hull.hi ? Range{float32_below(hull.lo), float32_above(hull.hi)} : Range{0.0, 0.0};
     }
 
 private:
     static constexpr Range nothing{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-
-    static double rounded_up(double x) {
-        const float rounded = static_cast<float>(x);
-        return rounded >= x ? rounded : std::nextafter(rounded, std::numeric_limits<float>::infinity());
-    }
 
     tbb::enumerable_thread_specific<std::vector<Range>> local_;
 };
