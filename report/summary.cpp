@@ -169,7 +169,7 @@ Lines summary(const SimplifyRecord& record) {
         collapses_text(record),
     };
     if (const std::size_t unserved = record.statistics.unserved_vertices; unserved > 0) {
-        lines.push_back(fmt::format("{} that no direction serves: the faces there stay those of the scan",
+        lines.push_back(fmt::format("{} that no direction serves: faces there stay those of the scan",
                                     counted(unserved, "scan vertex", "scan vertices")));
     }
     lines.push_back(displacement_text(record.displacement));
