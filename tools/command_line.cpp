@@ -233,14 +233,19 @@ std::string Parser::usage_error(const CLI::ParseError& error) const {
 }
 
 /// In `--report --quiet` the name of the report was forgotten; a file that is called so can be given as ./--quiet.
+void require_values_of(const CLI::Option& option, const CLI::App& command) {
+    for (const std::string& value : option.results()) {
+        if (value.starts_with('-') && command.get_option_no_throw(value) != nullptr) {
+            throw WrongUsage(fmt::format("{} needs a value, not the option {}", option.get_name(), value));
+        }
+    }
+}
+
 void Parser::require_values() const {
     for (const CLI::App* command : app_.get_subcommands()) {
         for (const CLI::Option* option : command->get_options()) {
-            const bool positional = option->get_positional();
-            for (const std::string& value : option->results()) {
-                if (!positional && value.starts_with('-') && command->get_option_no_throw(value) != nullptr) {
-                    throw WrongUsage(fmt::format("{} needs a value, not the option {}", option->get_name(), value));
-                }
+            if (!option->get_positional()) {
+                require_values_of(*option, *command);
             }
         }
     }
