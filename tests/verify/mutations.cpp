@@ -1,5 +1,7 @@
 #include "mutations.h"
 
+#include "openmesh_base.h"
+
 #include <foldless/decimate/decimate.h>
 #include <foldless/io/bounding_box.h>
 #include <foldless/io/float32.h>
@@ -198,6 +200,7 @@ void spoil_base(Pair& pair, Mutation mutation, Random& random) {
             collapse_unguarded(base, random);
         }
         break;
+    case Mutation::by_openmesh: base = openmesh_base(pair.scan, base.faces.size(), random); break;
     default: break;
     }
 }
@@ -219,6 +222,7 @@ std::string_view name(Mutation mutation) {
         "scan vertex half pushed",
         "hole",
         "unguarded",
+        "by OpenMesh",
     };
     return names[static_cast<std::size_t>(mutation)];
 }
