@@ -9,8 +9,10 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <stdexcept>
 #include <utility>
 
 namespace foldless {
@@ -28,6 +30,18 @@ private:
     std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
     std::clock_t cpu_ = std::clock();
 };
+
+/// What is no number fails each of these.
+void require_sensible(const DecimateOptions& options) {
+    const auto require = [](bool condition, const char* reason) {
+        if (!condition) {
+            throw std::invalid_argument(reason);
+        }
+    };
+    require(options.threads.value_or(1) >= 1, "DecimateOptions: threads is less than 1");
+    require(options.time_limit.value_or(0.0) >= 0.0, "DecimateOptions: time_limit is not 0 or more");
+    require(options.max_displacement.value_or(0.0) >= 0.0, "DecimateOptions: max_displacement is not 0 or more");
+}
 
 DecimateResult run(const Scan& scan, const DecimateOptions& options) {
     const Stopwatch setup;
@@ -51,6 +65,13 @@ DecimateResult run(const Scan& scan, const DecimateOptions& options) {
     return result;
 }
 
+/// As many threads as are asked for; never more than the process may have.
+int concurrency(const DecimateOptions& options) {
+    const auto allowed =
+        static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    return std::min(options.threads.value_or(allowed), allowed);
+}
+
 } // namespace
 
 DecimateOptions paper_options() {
@@ -65,12 +86,9 @@ DecimateOptions paper_options() {
 }
 
 DecimateResult decimate(const Scan& scan, const DecimateOptions& options) {
+    require_sensible(options);
     const DefaultArithmetic arithmetic;
-    std::optional<tbb::global_control> threads;
-    if (options.threads) {
-        threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(*options.threads));
-    }
-    tbb::task_arena arena; // its threads compute as this one does
+    tbb::task_arena arena(concurrency(options)); // its threads compute as this one does
     return arena.execute([&] { return run(scan, options); });
 }
 

@@ -89,7 +89,11 @@ struct DecimateResult {
 /// options other than `threads`, `time_limit` and `progress`; on the numbering of the scan only where two vertices have
 /// the same position.
 ///
+/// Several calls may run at once, on threads of the caller or inside loops of TBB. What the progress callback throws
+/// comes out of the call.
+///
 /// \throws RefusedMesh if `scan` has a defect (see io/defects.h).
+/// \throws std::invalid_argument for less than one thread, or a time limit or bound that is negative or no number.
 /// Time O(n log n) in practice; see docs/results.md. (Collins & Hilton 2002, section 5)
 [[nodiscard]] DecimateResult decimate(const Scan& scan, const DecimateOptions& options = {});
 

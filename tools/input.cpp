@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <thread>
 #include <utility>
 
 namespace foldless {
@@ -29,10 +27,6 @@ Input read_input(const std::filesystem::path& path, const Console& console) {
     note_ignored(path, read.notes, console);
     InputRecord record{path.string(), read.scan.positions.size(), read.scan.faces.size(), inspection.topology};
     return {std::move(read.scan), std::move(record)};
-}
-
-int threads_to_use(std::optional<int> asked_for) {
-    return asked_for.value_or(std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
 }
 
 } // namespace foldless

@@ -22,7 +22,4 @@ void note_ignored(const std::filesystem::path& path, const ReadNotes& notes, con
 /// \throws UnreadableFile, RefusedMesh with each defect counted by name
 [[nodiscard]] Input read_input(const std::filesystem::path& path, const Console& console);
 
-/// The number of threads that a command uses: those asked for, or all cores.
-[[nodiscard]] int threads_to_use(std::optional<int> asked_for);
-
 } // namespace foldless

@@ -13,6 +13,7 @@
 #include <foldless/report/summary.h>
 #include <foldless/tools/console.h>
 #include <foldless/tools/input.h>
+#include <foldless/tools/threads.h>
 #include <foldless/tools/verify.h>
 
 #include <fmt/format.h>
@@ -217,6 +218,7 @@ ExitCode Simplification::run() {
 } // namespace
 
 ExitCode run(const SimplifyCommand& command) {
+    const ThreadAllowance allowance(threads_to_use(command.options.threads));
     return Simplification(command).run();
 }
 

@@ -10,6 +10,7 @@
 #include <foldless/report/summary.h>
 #include <foldless/report/violations_ply.h>
 #include <foldless/tools/input.h>
+#include <foldless/tools/threads.h>
 
 #include <fmt/format.h>
 
@@ -103,6 +104,7 @@ ExitCode run(const VerifyCommand& command) {
             require_writable(*output);
         }
     }
+    const ThreadAllowance allowance(threads_to_use(command.threads));
     const Verification done = verify_files(command);
     write_outputs(command, done);
     const VerifyResult& certificate = done.record.certificate;

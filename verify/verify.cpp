@@ -12,11 +12,11 @@
 #include <foldless/predicates/default_arithmetic.h>
 
 #include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace foldless {
 namespace {
@@ -30,9 +30,16 @@ constexpr double share_of_places = 0.2;
 constexpr double share_of_faces = 0.5;
 constexpr double share_of_rays = 0.15;
 
-std::size_t thread_count(const VerifyOptions& options) {
-    const int all_cores = tbb::info::default_concurrency();
-    return static_cast<std::size_t>(std::max(1, options.threads.value_or(all_cores)));
+void require_sensible(const VerifyOptions& options) {
+    if (options.threads.value_or(1) < 1) {
+        throw std::invalid_argument("VerifyOptions: threads is less than 1");
+    }
+    if (options.samples_per_face < 0) {
+        throw std::invalid_argument("VerifyOptions: samples_per_face is negative");
+    }
+    if (options.rays_per_face < 1) {
+        throw std::invalid_argument("VerifyOptions: rays_per_face is less than 1");
+    }
 }
 
 /// The displacements, summed in the order of the vertices.
@@ -110,12 +117,19 @@ VerifyResult run(const BaseMesh& base, const Scan& scan, const VerifyOptions& op
     return result;
 }
 
+/// As many threads as are asked for; never more than the process may have.
+int concurrency(const VerifyOptions& options) {
+    const auto allowed =
+        static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    return std::min(options.threads.value_or(allowed), allowed);
+}
+
 } // namespace
 
 VerifyResult verify(const BaseMesh& base, const Scan& scan, const VerifyOptions& options) {
+    require_sensible(options);
     const DefaultArithmetic arithmetic;
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, thread_count(options));
-    tbb::task_arena arena; // its threads compute as this one does
+    tbb::task_arena arena(concurrency(options)); // its threads compute as this one does
     return arena.execute([&] { return run(base, scan, options); });
 }
 

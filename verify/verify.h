@@ -86,7 +86,12 @@ struct VerifyResult {
 /// inside every scan triangle, and how often the base mesh is covered; all of it exactly (theorems B and C of
 /// docs/certificate.md). With constant face directions samples stand for what is not proven.
 ///
-/// \throws RefusedMesh if either mesh has a defect (see io/defects.h) or the base mesh has no directions.
+/// Several calls may run at once, on threads of the caller or inside loops of TBB. What the progress callback throws
+/// comes out of the call.
+///
+/// \throws RefusedMesh if either mesh has a defect (see io/defects.h) or the base mesh has no directions, a
+/// direction or range that is not finite, a range that ends before it begins, or arrays of wrong lengths.
+/// \throws std::invalid_argument for less than one thread or ray, or a negative number of samples.
 /// Expected time O((F + f) log f) for F scan and f base faces.
 [[nodiscard]] VerifyResult verify(const BaseMesh& base, const Scan& scan, const VerifyOptions& options = {});
 

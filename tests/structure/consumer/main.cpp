@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <map>
 #include <utility>
 
@@ -61,13 +62,37 @@ foldless::Scan cube() {
     return builder.take();
 }
 
+// Differs where any bit of the base mesh differs.
+unsigned long long digest(const foldless::BaseMesh& base) {
+    unsigned long long sum = 0xcbf29ce484222325;
+    const auto add = [&sum](const auto& number) {
+        unsigned char bytes[sizeof number];
+        std::memcpy(bytes, &number, sizeof number);
+        for (const unsigned char byte : bytes) {
+            sum = (sum ^ byte) * 0x100000001b3;
+        }
+    };
+    for (const auto* vectors : {&base.positions, &base.directions}) {
+        for (const foldless::Vec3& vector : *vectors) {
+            add(vector[0]), add(vector[1]), add(vector[2]);
+        }
+    }
+    for (const foldless::Triangle& face : base.faces) {
+        add(face);
+    }
+    for (const foldless::Range& range : base.ranges) {
+        add(range.lo), add(range.hi);
+    }
+    return sum;
+}
+
 } // namespace
 
 int main() {
     const foldless::Scan scan = foldless::repair(cube()).scan;
     const foldless::DecimateResult result = foldless::decimate(scan);
     const foldless::VerifyResult proof = foldless::verify(result.base, scan);
-    std::printf("%zu faces in, %zu faces out, %zu violations\n", scan.faces.size(), result.base.faces.size(),
-                proof.violation_total());
+    std::printf("%zu faces in, %zu faces out, %zu violations, digest %016llx\n", scan.faces.size(),
+                result.base.faces.size(), proof.violation_total(), digest(result.base));
     return proof.certified() && result.base.faces.size() < scan.faces.size() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -7,8 +7,6 @@
 /// would hide races between them.
 #pragma once
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
@@ -23,12 +21,15 @@ inline constexpr std::size_t most_workers = 16;
 /// The number of the calling thread in the loop that it runs, from 1; 0 outside of loops.
 inline thread_local std::size_t worker = 0;
 
+/// How many threads the loops of the calling thread may take.
+inline thread_local std::size_t allowed = std::thread::hardware_concurrency();
+
 /// Calls part(k) for 0 <= k < parts, neighbours from different threads: as many as are allowed, at least two. Rethrows
 /// one of the exceptions. \pre loops are not nested
 template <class Part>
 void run(std::size_t parts, const Part& part) {
     assert(worker == 0);
-    const std::size_t workers = std::clamp<std::size_t>(global_control::allowed(), 2, most_workers);
+    const std::size_t workers = std::clamp<std::size_t>(allowed, 2, most_workers);
     std::vector<std::exception_ptr> failures(workers);
     std::vector<std::thread> threads;
     for (std::size_t w = 0; w < workers; ++w) {
