@@ -3,8 +3,8 @@
 import itertools
 import unittest
 
-from encoded_meshes import encoded, obj, ply_ascii, ply_binary, small_mesh
-from faults import PLACE, SANITIZED, FaultTest, at_byte, at_line, changed, measure
+from encoded_meshes import changed, encoded, obj, ply_ascii, ply_binary, small_mesh
+from faults import PLACE, SANITIZED, FaultTest, at_byte, at_line, measure
 
 MESH = small_mesh()
 POINTS, FACES = MESH

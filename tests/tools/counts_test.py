@@ -3,8 +3,8 @@
 import struct
 import unittest
 
-from encoded_meshes import ENCODINGS, content, encoded, extension, off, ply_ascii, small_mesh, stl_binary
-from faults import PLACE, Case, FaultTest, at_byte, at_line, changed
+from encoded_meshes import ENCODINGS, changed, content, encoded, extension, off, ply_ascii, small_mesh, stl_binary
+from faults import PLACE, Case, FaultTest, at_byte, at_line
 
 POINTS, FACES = small_mesh()
 # Spelled in the place of a count of n.

@@ -6,6 +6,7 @@ import re
 import struct
 from dataclasses import dataclass
 
+MEGABYTE = 1 << 20
 PLY_TYPES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f", "double": "d"}
 
 
@@ -162,6 +163,12 @@ def written_base(path):
     points = [vertex.unpack_from(data, i * vertex.size)[:3] for i in range(vertices)]
     start = vertices * vertex.size
     return points, [face.unpack_from(data, start + i * face.size)[1:4] for i in range(faces)]
+
+
+def changed(data, old, new, count=1):
+    """The data with the first `count` occurrences of `old` replaced; fails where there is none."""
+    assert data.count(old) >= count, (old, count)
+    return data.replace(old, new, count)
 
 
 def compressed(data):

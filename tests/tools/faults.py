@@ -9,11 +9,10 @@ import threading
 import unittest
 from dataclasses import dataclass
 
-from encoded_meshes import written_base
+from encoded_meshes import MEGABYTE, written_base
 from program import PROGRAM, SECONDS_FOR_ONE_RUN, ProgramTest
 
 SANITIZED = bool(os.environ.get("FOLDLESS_SANITIZE"))
-MEGABYTE = 1 << 20
 OUTPUTS = ("base.ply", "report.json", "correspondence.ply")
 OLD = b"what was there before"
 # More faces than any input here has: the scan is written as its own base mesh.
@@ -152,12 +151,6 @@ class FaultTest(ProgramTest):
         for case in cases:
             with self.case(fault=case.name, file=case.file):
                 self.expect_refused(case)
-
-
-def changed(data, old, new, count=1):
-    """The data with the first `count` occurrences of `old` replaced; fails where there is none."""
-    assert data.count(old) >= count, (old, count)
-    return data.replace(old, new, count)
 
 
 def line_of(data, position):

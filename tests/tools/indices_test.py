@@ -4,8 +4,8 @@ import re
 import struct
 import unittest
 
-from encoded_meshes import ENCODINGS, PLY_TYPES, encoded, extension, obj, off, ply_ascii, small_mesh
-from faults import PLACE, Case, FaultTest, at_byte, at_line, changed
+from encoded_meshes import ENCODINGS, PLY_TYPES, changed, encoded, extension, obj, off, ply_ascii, small_mesh
+from faults import PLACE, Case, FaultTest, at_byte, at_line
 
 POINTS, FACES = small_mesh()
 N = len(POINTS)

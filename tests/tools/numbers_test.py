@@ -8,8 +8,8 @@ import subprocess
 import tempfile
 import unittest
 
-from encoded_meshes import ENCODINGS, TEXTS, content, encoded, extension, ply_ascii, ply_binary, small_mesh
-from faults import ALL_FACES, MEGABYTE, PLACE, Case, FaultTest, at_line, changed
+from encoded_meshes import ENCODINGS, TEXTS, changed, content, encoded, extension, ply_ascii, ply_binary, small_mesh
+from faults import ALL_FACES, MEGABYTE, PLACE, Case, FaultTest, at_line
 
 POINTS, FACES = small_mesh()
 # The first coordinate of the first vertex, 0.0, in each text encoding.
