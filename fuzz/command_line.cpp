@@ -46,6 +46,11 @@ void require_in_range(const VerifyCommand& command) {
     require(is_thread_count(command.threads), "1 to 1024 threads");
 }
 
+void require_in_range(const RepairCommand& command) {
+    require(!command.scan.empty() && !command.output.empty(), "both files are named");
+    require(command.options.min_component_faces >= 1, "a component has a face");
+}
+
 void require_in_range(const InfoCommand& command) {
     require(!command.mesh.empty(), "a mesh is named");
 }
