@@ -1,5 +1,6 @@
 #include "mutations.h"
 
+#include "cgal_base.h"
 #include "openmesh_base.h"
 
 #include <foldless/decimate/decimate.h>
@@ -201,6 +202,7 @@ void spoil_base(Pair& pair, Mutation mutation, Random& random) {
         }
         break;
     case Mutation::by_openmesh: base = openmesh_base(pair.scan, base.faces.size(), random); break;
+    case Mutation::by_cgal: base = cgal_base(pair.scan, base.faces.size(), random); break;
     default: break;
     }
 }
@@ -223,6 +225,7 @@ std::string_view name(Mutation mutation) {
         "hole",
         "unguarded",
         "by OpenMesh",
+        "by CGAL",
     };
     return names[static_cast<std::size_t>(mutation)];
 }

@@ -24,9 +24,10 @@ enum class Mutation {
     hole,                    ///< the star of a vertex is left out, or one face
     unguarded,               ///< the base mesh collapses further, with no test of the displacement map
     by_openmesh,             ///< another base mesh of as many faces, which OpenMesh makes of the scan
+    by_cgal,                 ///< the same by CGAL
 };
 
-inline constexpr int mutation_count = static_cast<int>(Mutation::by_openmesh) + 1;
+inline constexpr int mutation_count = static_cast<int>(Mutation::by_cgal) + 1;
 
 [[nodiscard]] std::string_view name(Mutation mutation);
 

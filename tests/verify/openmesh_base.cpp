@@ -1,7 +1,6 @@
 #include "openmesh_base.h"
 
-#include <foldless/io/bounding_box.h>
-#include <foldless/io/float32.h>
+#include "unguarded_base.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
@@ -62,25 +61,15 @@ BaseMesh openmesh_base(const Scan& scan, std::size_t faces, Random& random) {
             base.scan_vertex.push_back(vertex.idx());
         }
     }
-    base.directions.assign(base.positions.size(), Vec3::Zero());
-    const double size = uniform(random, 0.02, 0.3) * bounding_box_diagonal(scan);
     for (const auto face : mesh.faces()) {
         Triangle corners;
         int k = 0;
         for (const auto vertex : mesh.fv_range(face)) {
             corners[k++] = number[vertex.idx()];
         }
-        const Vec3& first = base.positions[corners[0]];
-        const Vec3 normal = (base.positions[corners[1]] - first).cross(base.positions[corners[2]] - first);
-        for (const std::int32_t corner : corners) {
-            base.directions[corner] += normal;
-        }
         base.faces.push_back(corners);
-        base.ranges.push_back({float32_below(-size), float32_above(size)});
     }
-    for (Vec3& direction : base.directions) {
-        direction = to_float32(direction.normalized());
-    }
+    add_displacements(base, scan, random);
     return base;
 }
 
