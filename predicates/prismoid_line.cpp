@@ -306,7 +306,7 @@ bool Follower::ends_before_any_wall() {
            meets_no_wall(2, start, end, true);
 }
 
-/// About the first displacement ahead at which side_k vanishes; infinite if there is none.
+/// About the first displacement ahead at which side_k vanishes; infinitely far ahead if there is none.
 double Follower::likely_exit(int k) const {
     const auto middle = [](const Interval& x) { return x.inf() + 0.5 * (x.sup() - x.inf()); };
     const double c0 = middle(sides_[k][0]);
@@ -316,7 +316,7 @@ double Follower::likely_exit(int k) const {
     const double discriminant = c1 * c1 - 4 * c0 * c2;
     double first = std::numeric_limits<double>::infinity();
     if (is_on(k) || !(discriminant >= 0)) {
-        return first;
+        return direction_ * first;
     }
     const double h = -0.5 * (c1 + std::copysign(std::sqrt(discriminant), c1));
     for (const double root : {h / c2, c0 / h}) {
@@ -330,8 +330,9 @@ double Follower::likely_exit(int k) const {
 std::optional<Range> Follower::crossing_near(int k, double t) const {
     const Quadratic<Interval>& c = sides_[k];
     const Interval value = value_at(c, Interval(t));
-    const Interval slope = (2 * c[2] * Interval(t) + c[1]) * Interval(direction_);
-    if (!(slope.sup() < 0)) { // side_k direction falls, and t grows with the direction
+    // Inside, side_k direction is positive. Along the lift t direction grows: its slope is that of side_k over t.
+    const Interval slope = 2 * c[2] * Interval(t) + c[1];
+    if (!(slope.sup() < 0)) {
         return std::nullopt;
     }
     const double reach = 2 * std::max(-value.inf(), value.sup()) / -slope.sup();
