@@ -56,7 +56,8 @@ bool are_adjacent(const BaseFaces& base, std::int32_t a, std::int32_t b) {
 }
 
 Located locate(const BaseFaces& base, const PrismoidIndex& index, const Vec3& q) {
-    thread_local std::vector<FacePoint> found;
+    // Not kept from call to call: glibc ends a program whose thread finds no memory to note that it has a destructor.
+    std::vector<FacePoint> found;
     index.points(q, found);
     Located result;
     for (const FacePoint& point : found) {
