@@ -217,6 +217,15 @@ void AtomicFile::fail_with_errno(std::string_view what) const {
     fail(target_, fmt::format("{}: {}", what, reason));
 }
 
+void commit_all(std::vector<AtomicFile>& files) {
+    for (AtomicFile& file : files) {
+        file.finish();
+    }
+    for (AtomicFile& file : files) {
+        file.commit();
+    }
+}
+
 void remove_temporary_files() noexcept {
     for (const Slot& slot : slots) {
         if (slot.state == SlotState::armed) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace foldless {
 
@@ -45,6 +46,12 @@ private:
     int descriptor_ = -1;
     int slot_ = -1; ///< in the table of remove_temporary_files()
 };
+
+/// Commits each, once all of them are on the disk. Takes no memory, so that a run that prepares what it says afterwards
+/// cannot end for want of it when some outputs are new and others are not.
+///
+/// \throws UnwritableFile when the system refuses
+void commit_all(std::vector<AtomicFile>& files);
 
 /// Removes the temporary files that are open at this moment. Async-signal-safe: a signal handler calls it before it
 /// ends the program. Not for anything else, as the files in question can no longer be committed.

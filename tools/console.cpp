@@ -16,29 +16,32 @@ void write_to_standard_error(std::string_view text) {
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-} // namespace
-
-void print_message(std::string_view text) noexcept {
-    constexpr std::string_view program = "foldless: ";
+/// In one call, as above, and without memory, of which there may be none to tell of.
+void write_line(std::string_view start, std::string_view text) noexcept {
     constexpr std::string_view end = "\n";
     std::array<iovec, 3> parts{};
-    std::ranges::transform(std::array{program, text, end}, parts.begin(), [](std::string_view part) {
+    std::ranges::transform(std::array{start, text, end}, parts.begin(), [](std::string_view part) {
         return iovec{const_cast<char*>(part.data()), part.size()};
     });
-    // In one call, as above, and without memory, of which there may be none to tell of.
     [[maybe_unused]] const ssize_t written = ::writev(STDERR_FILENO, parts.data(), static_cast<int>(parts.size()));
 }
 
-void Console::print(const std::vector<std::string>& lines) const {
+} // namespace
+
+void print_message(std::string_view text) noexcept {
+    write_line("foldless: ", text);
+}
+
+void Console::print(const std::vector<std::string>& lines) const noexcept {
     if (quiet_) {
         return;
     }
     for (const std::string& line : lines) {
-        write_to_standard_error(line + '\n');
+        write_line("", line);
     }
 }
 
-void Console::note(std::string_view text) const {
+void Console::note(std::string_view text) const noexcept {
     if (!quiet_) {
         print_message(text);
     }

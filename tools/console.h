@@ -13,15 +13,15 @@ namespace foldless {
 /// Takes no memory.
 void print_message(std::string_view text) noexcept;
 
-/// What is said unless `--quiet`.
+/// What is said unless `--quiet`. Takes no memory.
 class Console {
 public:
     explicit Console(bool quiet) : quiet_(quiet) {}
 
     /// Prints each line as it is.
-    void print(const std::vector<std::string>& lines) const;
+    void print(const std::vector<std::string>& lines) const noexcept;
     /// Prints `foldless: text`.
-    void note(std::string_view text) const;
+    void note(std::string_view text) const noexcept;
     /// A bar, which shows only on a terminal.
     [[nodiscard]] ProgressBar::Write bar_output() const;
 

@@ -72,8 +72,7 @@ Repaired repair_file(const RepairCommand& command) {
     return {std::move(result.scan), std::move(record)};
 }
 
-/// Everything is on the disk before anything gets its name.
-void write_outputs(const RepairCommand& command, Scan scan, RepairRecord& record) {
+std::vector<AtomicFile> stage_outputs(const RepairCommand& command, Scan scan, RepairRecord& record) {
     Stopwatch watch;
     std::vector<AtomicFile> files;
     files.push_back(
@@ -83,9 +82,7 @@ void write_outputs(const RepairCommand& command, Scan scan, RepairRecord& record
     if (command.report) {
         files.push_back(stage_text(*command.report, json_report(record)));
     }
-    for (AtomicFile& file : files) {
-        file.commit();
-    }
+    return files;
 }
 
 } // namespace
@@ -96,8 +93,10 @@ ExitCode run(const RepairCommand& command) {
         require_writable(*command.report);
     }
     auto [scan, record] = repair_file(command);
-    write_outputs(command, std::move(scan), record);
-    Console(command.quiet).print(summary(record));
+    std::vector<AtomicFile> files = stage_outputs(command, std::move(scan), record);
+    const std::vector<std::string> lines = summary(record);
+    commit_all(files);
+    Console(command.quiet).print(lines);
     return ExitCode::done;
 }
 

@@ -90,8 +90,8 @@ private:
     void decimate_scan();
     [[nodiscard]] VerifyResult verify_staged(const AtomicFile& staged) const;
     ExitCode refuse();
-    void commit(AtomicFile& base);
-    void print_shortfall() const;
+    [[nodiscard]] std::vector<AtomicFile> stage_others();
+    [[nodiscard]] std::optional<std::string> shortfall() const;
     void write_report();
     void note_usage();
 
@@ -155,8 +155,10 @@ VerifyResult Simplification::verify_staged(const AtomicFile& staged) const {
 /// The report alone is written: it tells what is wrong.
 ExitCode Simplification::refuse() {
     record_.output.path.clear();
+    const std::vector<std::string> messages =
+        violation_messages(printable(command_.base) + ", which was not written", *record_.certificate);
     write_report();
-    print_violations(printable(command_.base) + ", which was not written", *record_.certificate);
+    std::ranges::for_each(messages, print_message);
     return ExitCode::not_certified;
 }
 
@@ -167,8 +169,7 @@ void Simplification::write_report() {
     }
 }
 
-/// Everything is on the disk before anything gets its name.
-void Simplification::commit(AtomicFile& base) {
+std::vector<AtomicFile> Simplification::stage_others() {
     std::vector<AtomicFile> files;
     if (command_.correspondence) {
         files.push_back(stage_correspondence(*command_.correspondence, input_.scan, result_.correspondence));
@@ -177,20 +178,17 @@ void Simplification::commit(AtomicFile& base) {
     if (command_.report) {
         files.push_back(stage_text(*command_.report, json_report(record_)));
     }
-    for (AtomicFile& file : files) {
-        file.commit();
-    }
-    base.commit();
+    return files;
 }
 
-void Simplification::print_shortfall() const {
+std::optional<std::string> Simplification::shortfall() const {
     if (!record_.options.target_faces || record_.stop_reason == StopReason::target_reached) {
-        return;
+        return std::nullopt;
     }
-    print_message(fmt::format("the target of {} faces is not reached: {} at {} faces", *record_.options.target_faces,
-                              record_.stop_reason == StopReason::time_limit ? "the time limit ended the run"
-                                                                            : "every edge is refused",
-                              record_.output.faces));
+    return fmt::format("the target of {} faces is not reached: {} at {} faces", *record_.options.target_faces,
+                       record_.stop_reason == StopReason::time_limit ? "the time limit ended the run"
+                                                                     : "every edge is refused",
+                       record_.output.faces);
 }
 
 ExitCode Simplification::run() {
@@ -206,12 +204,18 @@ ExitCode Simplification::run() {
             return refuse();
         }
     }
-    commit(base);
-    print_shortfall();
+    std::vector<AtomicFile> files = stage_others();
+    files.push_back(std::move(base)); // the last to get its name
+    const std::optional<std::string> shortfall = this->shortfall();
+    const std::vector<std::string> lines = summary(record_);
+    commit_all(files);
+    if (shortfall) {
+        print_message(*shortfall);
+    }
     if (file_type(command_.base) == FileType::obj) {
         console_.note("OBJ has no room for the ranges of the displacements; PLY has");
     }
-    console_.print(summary(record_));
+    console_.print(lines);
     return ExitCode::done;
 }
 

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace foldless {
@@ -65,8 +66,7 @@ Verification verify_files(const VerifyCommand& command) {
     return done;
 }
 
-/// Everything is on the disk before anything gets its name.
-void write_outputs(const VerifyCommand& command, const Verification& done) {
+std::vector<AtomicFile> stage_outputs(const VerifyCommand& command, const Verification& done) {
     std::vector<AtomicFile> files;
     if (command.violations) {
         files.push_back(
@@ -75,9 +75,7 @@ void write_outputs(const VerifyCommand& command, const Verification& done) {
     if (command.report) {
         files.push_back(stage_text(*command.report, json_report(done.record)));
     }
-    for (AtomicFile& file : files) {
-        file.commit();
-    }
+    return files;
 }
 
 } // namespace
@@ -93,9 +91,13 @@ VerifyResult verify_with_bar(const BaseMesh& base, const Scan& scan, int threads
     return verify(base, scan, options);
 }
 
-void print_violations(std::string_view name, const VerifyResult& result) {
-    print_message(fmt::format("{}: not certified: {}", name, violations_text(result)));
-    std::ranges::for_each(located_lines(result), print_message);
+std::vector<std::string> violation_messages(std::string_view name, const VerifyResult& result) {
+    if (result.certified()) {
+        return {};
+    }
+    std::vector<std::string> messages{fmt::format("{}: not certified: {}", name, violations_text(result))};
+    std::ranges::move(located_lines(result), std::back_inserter(messages));
+    return messages;
 }
 
 ExitCode run(const VerifyCommand& command) {
@@ -106,15 +108,17 @@ ExitCode run(const VerifyCommand& command) {
     }
     const ThreadAllowance allowance(threads_to_use(command.threads));
     const Verification done = verify_files(command);
-    write_outputs(command, done);
     const VerifyResult& certificate = done.record.certificate;
+    std::vector<AtomicFile> files = stage_outputs(command, done);
+    const std::vector<std::string> violations = violation_messages(printable(command.base), certificate);
+    const std::string proof = fmt::format("{} represents {}: certified, {}", printable(command.base),
+                                          printable(command.scan), certificate_text(certificate));
+    commit_all(files);
     if (!certificate.certified()) {
-        print_violations(printable(command.base), certificate);
+        std::ranges::for_each(violations, print_message);
         return ExitCode::not_certified;
     }
-    Console(command.quiet)
-        .note(fmt::format("{} represents {}: certified, {}", printable(command.base), printable(command.scan),
-                          certificate_text(certificate)));
+    Console(command.quiet).note(proof);
     return ExitCode::done;
 }
 

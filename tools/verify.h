@@ -14,8 +14,8 @@ namespace foldless {
 /// \throws RefusedMesh
 [[nodiscard]] VerifyResult verify_with_bar(const BaseMesh& base, const Scan& scan, int threads, const Console& console);
 
-/// Prints that `name` is not certified, each violation counted by name, and where the first ones are.
-void print_violations(std::string_view name, const VerifyResult& result);
+/// That `name` is not certified, each violation counted by name, and where the first ones are. None if it is.
+[[nodiscard]] std::vector<std::string> violation_messages(std::string_view name, const VerifyResult& result);
 
 /// Verifies a base mesh from the files alone.
 /// \throws UnreadableFile, RefusedMesh, UnwritableFile
