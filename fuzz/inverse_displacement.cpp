@@ -28,12 +28,15 @@ BaseTriangle drawn_any_triangle(ByteSource& bytes, Grain grain) {
     return triangle;
 }
 
-/// The list is in order, and what it holds is finite where no unit is extreme.
+/// The list is in order, and what it holds is finite. (Different t may underflow to one double.)
 void require_sound(const Preimages& preimages) {
     require(preimages.size() <= 3, "at most three solutions");
     require(preimages.kind != Preimages::Kind::none || preimages.empty(), "none is none");
     require(preimages.kind != Preimages::Kind::finite || !preimages.empty(), "a finite list is not empty");
-    const auto is_unordered = [](const Preimage& a, const Preimage& b) { return !(a.t < b.t); };
+    for (const Preimage& preimage : preimages) {
+        require(std::isfinite(preimage.t) && preimage.alpha.allFinite(), "solutions are finite");
+    }
+    const auto is_unordered = [](const Preimage& a, const Preimage& b) { return !(a.t <= b.t); };
     require(std::adjacent_find(preimages.begin(), preimages.end(), is_unordered) == preimages.end(),
             "solutions are in ascending order");
 }

@@ -206,14 +206,17 @@ Preimages InverseDisplacement::preimages(const Vec3& q, const Range& range) cons
     bool infinite = roots.everywhere;
     for (const double t : roots) {
         const double model_t = t * displacement_unit_;
-        if (!(range.lo <= model_t && model_t <= range.hi)) {
+        if (!(range.lo <= model_t && model_t <= range.hi) || std::isinf(model_t)) {
             continue;
         }
         const Slice at = slice(p0, t);
         const bool small = size(at.normal) <= surely_no_degenerate_slice * at.size1 * at.size2;
         const double uncertainty = small ? root_uncertainty(cubic, t, error_at(error, t)) : 0.0;
         if (!small || !vanishes(at, uncertainty)) {
-            result.push_back(preimage_in(at));
+            const Preimage preimage = preimage_in(at);
+            if (preimage.alpha.allFinite()) { // else it is too far outside for a double
+                result.push_back(preimage);
+            }
         } else if (holds_point(at, uncertainty)) {
             infinite = true;
         }

@@ -56,8 +56,9 @@ private:
 /// each coefficient carries a bound on its rounding error, and what hides below its bound counts as zero.
 ///
 /// The answers are rounded, not exact: a sign of alpha or slope near zero is not a proof. Scales from 1e-150 to 1e150
-/// are handled as far as the answers are doubles: slopes that are not saturate with their sign kept. A point whose
-/// distance overflows in units of the triangle, or that is NaN, has no solution.
+/// are handled as far as the answers are doubles: slopes that are not saturate with their sign kept, solutions whose t
+/// or alpha overflows are left out. A point whose distance overflows in units of the triangle, or that is NaN, has no
+/// solution.
 class InverseDisplacement {
 public:
     explicit InverseDisplacement(const BaseTriangle& triangle);
