@@ -177,6 +177,32 @@ TEST(AtomicFile, RefusesMoreFilesAtOnceThanASignalHandlerCanRemove) {
     EXPECT_EQ(failure(folder.path() / "a"), "no error");
 }
 
+TEST(CommitAll, NamesEachFile) {
+    const TemporaryFolder folder;
+    std::vector<AtomicFile> files;
+    for (const char* name : {"a", "b"}) {
+        files.emplace_back(folder.file(name, "old")).write(name);
+    }
+    commit_all(files);
+    EXPECT_EQ(bytes_of(folder.path() / "a"), "a");
+    EXPECT_EQ(bytes_of(folder.path() / "b"), "b");
+    EXPECT_EQ(folder.names(), (Names{"a", "b"}));
+}
+
+TEST(CommitAll, NamesNoneWhereOneDoesNotFitOnTheDisk) {
+    const TemporaryFolder folder;
+    {
+        std::vector<AtomicFile> files;
+        files.emplace_back(folder.file("a", "old")).write("new");
+        files.emplace_back(folder.file("b", "old")).write(std::string(5000, 'x'));
+        const FileSizeLimit full(4096);
+        EXPECT_THROW(commit_all(files), UnwritableFile);
+    }
+    EXPECT_EQ(bytes_of(folder.path() / "a"), "old");
+    EXPECT_EQ(bytes_of(folder.path() / "b"), "old");
+    EXPECT_EQ(folder.names(), (Names{"a", "b"}));
+}
+
 TEST(RemoveTemporaryFiles, RemovesThoseThatAreOpenAndNoOthers) {
     const TemporaryFolder folder;
     write_text(folder.path() / "done", "kept");
