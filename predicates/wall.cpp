@@ -29,9 +29,11 @@ bool Wall::is_passed_one_way(const Vec3& e, Range range) const {
     const double p2 = e.dot(w2_);
     // The value is p0 + lambda p1 + t p2, linear in lambda and in t. Each component of a cached product is off by at
     // most 9 roundings of its size (as in ScanNormal), the dot product with e (three more, and the rounding of e
-    // itself) and the outer sums by 6 more; 20 covers all with their second-order terms.
+    // itself) and the outer sums by 6 more; 20 covers all with their second-order terms. Where w2 or its product with e
+    // underflows, a long reach makes much of what was lost.
     const double reach = std::max(std::abs(range.lo), std::abs(range.hi));
-    const double error = 20 * unit_roundoff * sum_norm(e) * (2 * size_ + reach * 2 * spread_) + dot_underflow;
+    const double underflow = dot_underflow * (1 + reach * (1 + sum_norm(e)));
+    const double error = 20 * unit_roundoff * sum_norm(e) * (2 * size_ + reach * 2 * spread_) + underflow;
     const double low_t = std::min(range.lo * p2, range.hi * p2);
     const double high_t = std::max(range.lo * p2, range.hi * p2);
     return p0 + std::min(0.0, p1) + low_t > error || p0 + std::max(0.0, p1) + high_t < -error;

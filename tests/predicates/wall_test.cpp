@@ -74,5 +74,27 @@ TEST(Wall, IsNotPassedOneWayWhereProductsUnderflow) {
     EXPECT_FALSE(Wall(tiny, 2).is_passed_one_way({0, -1e-200, 0}, {-1, 1}));
 }
 
+// Over the first edge the normal turns with t by delta x d, which no double holds.
+TEST(Wall, IsNotPassedOneWayWhereATurnThatUnderflowsIsFollowedFar) {
+    const BaseTriangle turning{{Vec3(0, 0, 0), Vec3(1e-85, 0, 0), Vec3(0, 1, 0)},
+                               {Vec3(0, 0, 1e-60), Vec3(1e-300, 0, 1e-60), Vec3(0, 0, 1e-60)}};
+    const Vec3 e(0, -1, 0);
+    EXPECT_GT(outwards(turning, 2, e, 0, 0), 0);
+    EXPECT_LT(outwards(turning, 2, e, 0, -1e300), 0);
+    EXPECT_FALSE(Wall(turning, 2).is_passed_one_way(e, {-1e300, 0}));
+    EXPECT_TRUE(Wall(turning, 2).is_passed_one_way(e, {-1, 0}));
+}
+
+// The same with a line that is so short that its product with w2 underflows.
+TEST(Wall, IsNotPassedOneWayWhereAShortLineUnderflowsAndIsFollowedFar) {
+    const BaseTriangle turning{{Vec3(0, 0, 0), Vec3(1e-7, 0, 0), Vec3(0, 1, 0)},
+                               {Vec3(0, 0, 1e-60), Vec3(1e-100, 0, 1e-60), Vec3(0, 0, 1e-60)}};
+    const Vec3 e(0, -1e-165, 0);
+    EXPECT_GT(outwards(turning, 2, e, 0, 0), 0);
+    EXPECT_LT(outwards(turning, 2, e, 0, -1e100), 0);
+    EXPECT_FALSE(Wall(turning, 2).is_passed_one_way(e, {-1e100, 0}));
+    EXPECT_TRUE(Wall(turning, 2).is_passed_one_way(e, {-1, 0}));
+}
+
 } // namespace
 } // namespace foldless
