@@ -203,10 +203,10 @@ Preimages InverseDisplacement::preimages(const Vec3& q, const Range& range) cons
     const Cubic error = error_of(p0);
     const RealRoots roots = roots_near(cubic, error, {range.lo / displacement_unit_, range.hi / displacement_unit_});
     Preimages result;
-    bool infinite = roots.everywhere;
+    bool is_incomplete = roots.everywhere;
     for (const double t : roots) {
         const double model_t = t * displacement_unit_;
-        if (!(range.lo <= model_t && model_t <= range.hi) || std::isinf(model_t)) {
+        if (!(range.lo <= model_t && model_t <= range.hi)) {
             continue;
         }
         const Slice at = slice(p0, t);
@@ -214,14 +214,16 @@ Preimages InverseDisplacement::preimages(const Vec3& q, const Range& range) cons
         const double uncertainty = small ? root_uncertainty(cubic, t, error_at(error, t)) : 0.0;
         if (!small || !vanishes(at, uncertainty)) {
             const Preimage preimage = preimage_in(at);
-            if (preimage.alpha.allFinite()) { // else it is too far outside for a double
+            if (std::isfinite(preimage.t) && preimage.alpha.allFinite()) {
                 result.push_back(preimage);
+            } else {
+                is_incomplete = true;
             }
         } else if (holds_point(at, uncertainty)) {
-            infinite = true;
+            is_incomplete = true;
         }
     }
-    result.kind = infinite         ? Preimages::Kind::infinite
+    result.kind = is_incomplete    ? Preimages::Kind::infinite
                   : result.empty() ? Preimages::Kind::none
                                    : Preimages::Kind::finite;
     return result;

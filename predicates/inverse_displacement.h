@@ -29,7 +29,8 @@ public:
     enum class Kind {
         none,     ///< no (alpha, t) reaches the point
         finite,   ///< the listed solutions are all
-        infinite, ///< a slice shrinks to a line or point that holds q, or q lies in every slice; the list is not all
+        infinite, ///< a slice shrinks to a line or point that holds q, or q lies in every slice, or no double holds a
+                  ///< solution: the list is not all
     };
 
     Kind kind = Kind::none;
@@ -57,8 +58,8 @@ private:
 ///
 /// The answers are rounded, not exact: a sign of alpha or slope near zero is not a proof. Scales from 1e-150 to 1e150
 /// are handled as far as the answers are doubles: slopes that are not saturate with their sign kept, solutions whose t
-/// or alpha overflows are left out. A point whose distance overflows in units of the triangle, or that is NaN, has no
-/// solution.
+/// or alpha overflows are left out, and the list says that it is not all. A point whose distance overflows in units of
+/// the triangle, or that is NaN, has no solution.
 class InverseDisplacement {
 public:
     explicit InverseDisplacement(const BaseTriangle& triangle);

@@ -1,7 +1,9 @@
 #include <foldless/predicates/prismoid_line.h>
 
 #include <foldless/predicates/filtered_passage.h>
+#include <foldless/predicates/line_sides.h>
 #include <foldless/predicates/prismoid_polynomials.h>
+#include <foldless/predicates/quick_passage.h>
 #include <foldless/predicates/real_root.h>
 #include <foldless/predicates/rounding.h>
 
@@ -127,21 +129,14 @@ Exact root_bound(const ExactPolynomial& f) {
 /// The line in the prismoid of one triangle.
 class Follower {
 public:
-    Follower(const BaseTriangle& triangle, const ScanLine& line, const PrismoidPoint& from, const PrismoidPoint* end)
-        : triangle_(triangle), line_(line), from_(from), end_(end == nullptr ? std::nullopt : std::optional(*end)) {
-        set_sides();
+    Follower(const LineInPrismoid& way, const LineSides& sides)
+        : triangle_(way.triangle), line_(way.line), from_(way.from),
+          end_(way.end == nullptr ? std::nullopt : std::optional(*way.end)) {
+        set_sides(sides);
     }
 
     Passage follow() {
         if (filters_enabled()) {
-            if (ends_before_any_wall()) {
-                count_filtered();
-                return {Passage::Kind::ends, -1, end_->t};
-            }
-            if (std::optional<Passage> passage = filtered_exit()) {
-                count_filtered();
-                return *std::move(passage);
-            }
             if (std::optional<Passage> passage = filtered_passage(triangle_, line_, from_, end_ ? &*end_ : nullptr)) {
                 count_filtered();
                 return *std::move(passage);
@@ -153,7 +148,6 @@ public:
 
 private:
     [[nodiscard]] bool is_on(int k) const { return (from_.walls & wall_bit(k)) != 0; }
-    [[nodiscard]] bool ends_on(int k) const { return end_ && (end_->walls & wall_bit(k)) != 0; }
 
     /// The quadratic of wall k; intervals are at hand.
     template <class Number>
@@ -165,7 +159,7 @@ private:
         }
     }
 
-    void set_sides();
+    void set_sides(const LineSides& sides);
     [[nodiscard]] Sign sign_of_rise() const {
         return sign_at(from_.t, [&](const auto& zero) -> Quadratic<std::decay_t<decltype(zero)>> {
             if constexpr (std::is_same_v<std::decay_t<decltype(zero)>, Interval>) {
@@ -177,11 +171,6 @@ private:
     }
 
     [[nodiscard]] int along(Displacement& a, Displacement& b) const;
-    [[nodiscard]] bool ends_before_any_wall();
-    [[nodiscard]] bool meets_no_wall(int k, const Interval& start, const Interval& end, bool has_end) const;
-    [[nodiscard]] std::optional<Passage> filtered_exit();
-    [[nodiscard]] double likely_exit(int k) const;
-    [[nodiscard]] std::optional<Range> crossing_near(int k, double t) const;
     [[nodiscard]] Passage follow_upwards_or_downwards();
     [[nodiscard]] bool is_on_another_wall(int wall, const Displacement& t) const;
     [[nodiscard]] std::optional<Displacement> first_exit(int k);
@@ -201,78 +190,30 @@ private:
     int direction_ = 0; ///< 1 if the displacement grows along the lift, -1 if it falls
 };
 
-/// The quadratics in plain doubles with a bound on their rounding: nearly all lines need no more.
-void Follower::set_sides() {
-    const Vec3 e = *line_.to - *line_.from;
-    std::array<Vec3, 3> x; // v_i - q
-    std::array<Vec3, 3> ex;
-    std::array<Vec3, 3> ed;
-    double x_size = 0;
-    double d_size = 0;
-    for (int i = 0; i < 3; ++i) {
-        x[i] = triangle_.v[i] - *line_.from;
-        ex[i] = e.cross(x[i]);
-        ed[i] = e.cross(triangle_.d[i]);
-        x_size = std::max(x_size, max_norm(x[i]));
-        d_size = std::max(d_size, max_norm(triangle_.d[i]));
-    }
-    // side_k = (e x (x_i + t d_i)).(x_j + t d_j). With u the rounding, a component of e x x is the difference of two
-    // products of two rounded differences: 4 u on 2 |e||x|. Its product with a rounded difference adds 2 u, the sum of
-    // three 2 u: 8 u on 6 |e||x||x'|. 64 instead of 48 covers the second order and what makes an interval of it.
-    const double e_size = max_norm(e);
-    const bool counted = std::min({e_size, x_size, d_size}) >= least_length;
-    const double unit = counted ? 64 * unit_roundoff * e_size : std::numeric_limits<double>::infinity();
+/// Intervals around the quadratics.
+void Follower::set_sides(const LineSides& sides) {
     // Of a sum with terms of both signs, one that overflowed hides the others.
     const auto around = [](double value, double error) {
         const double reach = std::isfinite(value) ? error : std::numeric_limits<double>::infinity();
         return std::isfinite(reach) ? Interval(value - reach, value + reach) : Interval(-reach, reach);
     };
-    std::array<double, 3> sum{};
+    const double x = sides.x_size;
+    const double d = sides.d_size;
+    const auto all_around = [&](const LineSides::Quadratic& c, double unit) {
+        return Quadratic<Interval>{around(c[0], unit * x * x), around(c[1], 2 * unit * x * d),
+                                   around(c[2], unit * d * d)};
+    };
     for (int k = 0; k < 3; ++k) {
-        const int i = (k + 1) % 3;
-        const int j = (k + 2) % 3;
-        const double c0 = ex[i].dot(x[j]);
-        const double c1 = ex[i].dot(triangle_.d[j]) + ed[i].dot(x[j]);
-        const double c2 = ed[i].dot(triangle_.d[j]);
-        if (lie_across_an_axis(triangle_, k, line_)) {
-            sides_[k] = {Interval(0), Interval(0), Interval(0)};
-            continue;
+        sides_[k] = sides.vanishes[k] ? Quadratic<Interval>{Interval(0), Interval(0), Interval(0)}
+                                      : all_around(sides.sides[k], sides.unit);
+        if (sides.is_flat[k]) { // the quadratic is linear
+            sides_[k][2] = Interval(0);
         }
-        sides_[k] = {around(c0, unit * x_size * x_size), around(c1, 2 * unit * x_size * d_size),
-                     // Equal directions make the wall flat, and the quadratic linear.
-                     triangle_.d[i] == triangle_.d[j] ? Interval(0) : around(c2, unit * d_size * d_size)};
-        sum[0] += c0;
-        sum[1] += c1;
-        sum[2] += triangle_.d[i] == triangle_.d[j] ? 0 : c2;
     }
-    // w = N.e is the sum of the three: three times the error, and the rounding of two sums of three such terms.
-    rise_ = {around(sum[0], 4 * unit * x_size * x_size), around(sum[1], 8 * unit * x_size * d_size),
-             around(sum[2], 4 * unit * d_size * d_size)};
+    rise_ = all_around(sides.rise, 4 * sides.unit);
 }
 
 // --- t moves ---------------------------------------------------------------------------------------------------------
-
-/// Whether side_k direction stays positive between the start and the end, beside known roots there: a sufficient test.
-/// The end may be any displacement, or that of the line's end.
-bool Follower::meets_no_wall(int k, const Interval& start, const Interval& end, bool has_end) const {
-    const Quadratic<Interval>& c = sides_[k];
-    const Interval direction(direction_);
-    const bool ends_there = has_end && ends_on(k);
-    if (is_on(k) && ends_there) {
-        return (c[2] * direction).sup() < 0; // c2 (t - start) (t - end)
-    }
-    if (is_on(k)) { // (t - start) (c1 + c2 (t + start)), the first factor has the sign of the direction
-        return (c[1] + c[2] * (start + start)).inf() > 0 && (c[1] + c[2] * (start + end)).inf() > 0;
-    }
-    if (ends_there) { // (t - end) (c1 + c2 (t + end)), the first factor has the opposite sign
-        return (c[1] + c[2] * (end + end)).sup() < 0 && (c[1] + c[2] * (start + end)).sup() < 0;
-    }
-    // The Bernstein coefficients over the hull of both, one of each kind.
-    const Interval b0 = (c[2] * start + c[1]) * start + c[0];
-    const Interval twice_b1 = 2 * c[0] + c[1] * (start + end) + 2 * c[2] * start * end;
-    const Interval b2 = (c[2] * end + c[1]) * end + c[0];
-    return (b0 * direction).inf() > 0 && (twice_b1 * direction).inf() > 0 && (b2 * direction).inf() > 0;
-}
 
 /// The order of two displacements in the direction of the lift: 1 if a comes after b.
 int Follower::along(Displacement& a, Displacement& b) const {
@@ -283,100 +224,6 @@ int Follower::along(Displacement& a, Displacement& b) const {
         b.keep_exact();
     }
     return direction_ * as_int(compare(a, b));
-}
-
-/// Whether the line certainly reaches its end in this prismoid, as intervals in t see it: nearly always if it does.
-bool Follower::ends_before_any_wall() {
-    if (!end_) {
-        return false;
-    }
-    const Range a = from_.t.bounds();
-    const Range b = end_->t.bounds();
-    if (a.hi >= b.lo && b.hi >= a.lo) {
-        return false;
-    }
-    const UpwardRounding upward;
-    const Interval start(a.lo, a.hi);
-    direction_ = a.hi < b.lo ? 1 : -1;
-    if (!((value_at(rise_, start) * direction_).inf() > 0)) {
-        return false;
-    }
-    const Interval end(b.lo, b.hi);
-    return meets_no_wall(0, start, end, true) && meets_no_wall(1, start, end, true) &&
-           meets_no_wall(2, start, end, true);
-}
-
-/// About the first displacement ahead at which side_k vanishes; infinitely far ahead if there is none.
-double Follower::likely_exit(int k) const {
-    const auto middle = [](const Interval& x) { return x.inf() + 0.5 * (x.sup() - x.inf()); };
-    const double c0 = middle(sides_[k][0]);
-    const double c1 = middle(sides_[k][1]);
-    const double c2 = middle(sides_[k][2]);
-    const double start = from_.t.approximate();
-    const double discriminant = c1 * c1 - 4 * c0 * c2;
-    double first = std::numeric_limits<double>::infinity();
-    if (is_on(k) || !(discriminant >= 0)) {
-        return direction_ * first;
-    }
-    const double h = -0.5 * (c1 + std::copysign(std::sqrt(discriminant), c1));
-    for (const double root : {h / c2, c0 / h}) {
-        const double ahead = direction_ * (root - start);
-        first = ahead > 0 && ahead < first ? ahead : first;
-    }
-    return start + direction_ * first;
-}
-
-/// Close bounds around t at which side_k certainly falls from one sign to the other, along the lift.
-std::optional<Range> Follower::crossing_near(int k, double t) const {
-    const Quadratic<Interval>& c = sides_[k];
-    const Interval value = value_at(c, Interval(t));
-    // Inside, side_k direction is positive. Along the lift t direction grows: its slope is that of side_k over t.
-    const Interval slope = 2 * c[2] * Interval(t) + c[1];
-    if (!(slope.sup() < 0)) {
-        return std::nullopt;
-    }
-    const double reach = 2 * std::max(-value.inf(), value.sup()) / -slope.sup();
-    const Range bounds{t - reach, t + reach};
-    return have_opposite_signs(c, bounds) ? std::optional(bounds) : std::nullopt;
-}
-
-/// Where the line leaves, if intervals show that it meets the wall that it most likely meets first, and none before.
-std::optional<Passage> Follower::filtered_exit() {
-    const UpwardRounding upward;
-    const Range from = from_.t.bounds();
-    const Interval start(from.lo, from.hi);
-    const Sign rising = sign_of(value_at(rise_, start));
-    if (rising != Sign::positive && rising != Sign::negative) {
-        return std::nullopt;
-    }
-    direction_ = as_int(rising);
-    const std::array<double, 3> t{likely_exit(0), likely_exit(1), likely_exit(2)};
-    int wall = 0;
-    for (int k = 1; k < 3; ++k) {
-        wall = direction_ * (t[k] - t[wall]) < 0 ? k : wall;
-    }
-    const std::optional<Range> exit = std::isfinite(t[wall]) ? crossing_near(wall, t[wall]) : std::nullopt;
-    if (!exit) {
-        return std::nullopt;
-    }
-    // Along the lift: just before the crossing, and just after it.
-    const double before = direction_ > 0 ? exit->lo : exit->hi;
-    const double after = direction_ > 0 ? exit->hi : exit->lo;
-    if (!(direction_ > 0 ? from.hi < before : before < from.lo)) {
-        return std::nullopt;
-    }
-    if (end_) { // beyond the crossing, or not sure
-        const Range end = end_->t.bounds();
-        if (!(direction_ > 0 ? end.hi < from.lo || after < end.lo : from.hi < end.lo || end.hi < after)) {
-            return std::nullopt;
-        }
-    }
-    for (int k = 0; k < 3; ++k) {
-        if (!meets_no_wall(k, start, Interval(k == wall ? before : after), false)) {
-            return std::nullopt;
-        }
-    }
-    return Passage{Passage::Kind::leaves, wall, Displacement::at_wall(triangle_, wall, line_, *exit)};
 }
 
 Passage Follower::follow_upwards_or_downwards() {
@@ -579,7 +426,15 @@ Passage Follower::follow_in_slice() const {
 
 Passage follow_line(const BaseTriangle& triangle, const ScanLine& line, const PrismoidPoint& from,
                     const PrismoidPoint* end) {
-    return Follower(triangle, line, from, end).follow();
+    const LineInPrismoid way{triangle, line, from, end};
+    const LineSides sides(triangle, line);
+    if (filters_enabled()) {
+        if (std::optional<Passage> passage = quick_passage(way, sides)) {
+            count_filtered();
+            return *std::move(passage);
+        }
+    }
+    return Follower(way, sides).follow();
 }
 
 } // namespace foldless

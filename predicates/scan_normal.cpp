@@ -27,10 +27,14 @@ ScanNormal::ScanNormal(const ScanTriangle& triangle)
     : ScanNormal((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]),
                  component_error(max_norm(triangle[1] - triangle[0]), max_norm(triangle[2] - triangle[0]))) {}
 
+ScanNormal ScanNormal::none() {
+    return {Vec3::Zero(), std::numeric_limits<double>::infinity()};
+}
+
 ScanNormal ScanNormal::normalised() const {
     const double size = max_norm(n_);
     if (!(size > 0) || !std::isfinite(size)) {
-        return {Vec3::Zero(), std::numeric_limits<double>::infinity()};
+        return none();
     }
     // A power of two, so that no square leaves the range of doubles; of all else it changes nothing.
     const int exponent = std::ilogb(size);
@@ -63,6 +67,7 @@ InterpolatedDirection::InterpolatedDirection(const std::array<Vec3, 3>& directio
         component_error_ += (alpha_error + 4 * unit_roundoff * std::abs(alpha[i])) * max_norm(directions[i]);
     }
     component_error_ *= 1 + 16 * unit_roundoff;
+    sum_ = (1 + 16 * unit_roundoff) * (sum_norm(d_) + 3 * component_error_);
 }
 
 } // namespace foldless

@@ -14,13 +14,18 @@ class ScanNormal {
 public:
     explicit ScanNormal(const ScanTriangle& triangle);
 
+    /// Of no triangle: all signs undecided.
+    [[nodiscard]] static ScanNormal none();
+
     /// The same divided by its length; all signs undecided if that is zero.
     [[nodiscard]] ScanNormal normalised() const;
 
     [[nodiscard]] const Vec3& value() const { return n_; }
 
     /// A bound on the error of d.dot(value()) as a stand-in for the exact d.n.
-    [[nodiscard]] double error(const Vec3& d) const { return sum_norm(d) * dot_error_ + dot_underflow; }
+    [[nodiscard]] double error(const Vec3& d) const { return error_for(sum_norm(d)); }
+    /// The same for all d whose components add up to this, by absolute value.
+    [[nodiscard]] double error_for(double sum) const { return sum * dot_error_ + dot_underflow; }
 
     /// The sign of d.n from plain doubles and their error bound.
     [[nodiscard]] Sign seen_along(const Vec3& d) const { return sign_within(d.dot(n_), error(d)); }
@@ -45,14 +50,14 @@ public:
     /// The sign of m(alpha) = d(alpha).n. (Collins & Hilton 2002, eq. 4)
     [[nodiscard]] Sign sees(const ScanNormal& normal) const {
         // (d + e).(n + f) - d.n = e.n + (d + e).f, and again e.f because the n at hand is n + f.
-        const double error = normal.error(d_) + component_error_ * sum_norm(normal.value()) +
-                             normal.error(Vec3::Constant(component_error_));
+        const double error = normal.error_for(sum_) + component_error_ * sum_norm(normal.value()) + dot_underflow;
         return sign_within(d_.dot(normal.value()), error);
     }
 
 private:
     Vec3 d_;
     double component_error_;
+    double sum_; ///< of the components of d_ and of their errors, by absolute value
 };
 
 /// The sign of m(alpha) at one point for one scan face. (Collins & Hilton 2002, eq. 4)
