@@ -31,7 +31,8 @@ private:
     const DecimateOptions* options_;
     BaseSurface base_;
     std::vector<Mobility> mobility_;
-    std::vector<Quadric> quadrics_;
+    ScanTopology topology_;
+    VertexQuadrics quadrics_;
     EdgeQueue queue_;
     UnguardedResult result_;
 
@@ -43,13 +44,12 @@ private:
 };
 
 UnguardedLoop::UnguardedLoop(const Scan& scan, const DecimateOptions& options)
-    : scan_(&scan), options_(&options), base_(scan), mobility_(scan.positions.size(), Mobility::free),
-      quadrics_(vertex_quadrics(scan, scan.positions[scan.faces[0][0]])), queue_(base_.connectivity().n_edges()) {
+    : scan_(&scan), options_(&options), base_(scan), mobility_(scan.positions.size(), Mobility::free), topology_(scan),
+      quadrics_(scan, topology_, scan.positions[scan.faces[0][0]]), queue_(all_edges(base_)) {
     result_.faces = scan.faces.size();
     if (options.boundary == Boundary::lock) {
         lock_border();
     }
-    enter_all_edges(base_, queue_);
 }
 
 void UnguardedLoop::lock_border() {
@@ -103,6 +103,7 @@ Verdict UnguardedLoop::ask_candidate(const Collapse& collapse, const Candidate& 
     fill_faces(base_, collapse, Extent::both_stars, patch_);
     BaseVertex survivor = base_.vertex(collapse.stays);
     survivor.position = candidate.position;
+    survivor.scan_vertex = candidate.at == collapse.stays ? survivor.scan_vertex : -1;
     patch_.changed.push_back({collapse.stays, survivor});
     return guard_faces(base_, patch_);
 }
@@ -110,8 +111,9 @@ Verdict UnguardedLoop::ask_candidate(const Collapse& collapse, const Candidate& 
 void UnguardedLoop::commit() {
     edges_changed_by(base_, collapse_, Extent::both_stars, edges_);
     base_.connectivity().collapse(collapse_.halfedge);
-    quadrics_[collapse_.stays] += quadrics_[collapse_.gone];
-    base_.vertex(collapse_.stays) = patch_.changed[0].value;
+    quadrics_.merge(collapse_.stays, collapse_.gone);
+    base_.set_vertex(collapse_.stays, patch_.changed[0].value);
+    base_.drop_vertex(collapse_.gone);
     result_.faces -= patch_.removed.size() - patch_.added.size();
     requeue(base_, collapse_.stays, edges_, queue_);
 }

@@ -44,7 +44,7 @@ Survivors survivors_of(const BaseSurface& surface, const LocalOrder& order) {
 
 void export_vertices(const BaseSurface& surface, const Survivors& left, const LocalOrder& order, BaseMesh& base) {
     for (const std::int32_t v : left.vertices) {
-        const BaseVertex& vertex = surface.vertex(v);
+        const BaseVertex vertex = surface.vertex(v);
         base.positions.push_back(vertex.position);
         base.scan_vertex.push_back(vertex.scan_vertex < 0 ? -1 : order.vertices[vertex.scan_vertex]);
         base.directions.push_back(vertex.direction);
@@ -82,7 +82,7 @@ void export_places(const BaseSurface& surface, const Survivors& left, const Loca
     };
     std::vector<std::int32_t> around;
     for (std::size_t v = 0; v < count; ++v) {
-        const Place& place = surface.place(static_cast<std::int32_t>(v));
+        const Place place = surface.place(static_cast<std::int32_t>(v));
         std::int32_t face = place.face;
         Vec3 alpha = place.alpha;
         if (place.kept >= 0) {

@@ -1,23 +1,46 @@
 #include <foldless/decimate/base_surface.h>
 
 #include <foldless/io/errors.h>
+#include <foldless/io/float32.h>
+
+#include <cassert>
 
 namespace foldless {
 namespace {
 
 using Halfedge = OpenMesh::HalfedgeHandle;
 
+/// Room for the lists of scan faces, in numbers per face of the scan. On scans at most 2.4 numbers are in them at once,
+/// in 0.37 lists per face; with headers and gaps that makes 4.
+constexpr std::size_t list_numbers_per_face = 8;
+
+template <class Handle>
+void remove_by_name(Connectivity& mesh, Handle handle, const char* name) {
+    if (mesh.get_property_handle(handle, name)) {
+        mesh.remove_property(handle);
+    }
+}
+
+/// 12 bytes per face: positions, which are the scan's, and a byte of no data for each vertex, halfedge, edge and face.
+void remove_unused_properties(Connectivity& mesh) {
+    remove_by_name(mesh, OpenMesh::VPropHandleT<Connectivity::Point>(), "v:points");
+    remove_by_name(mesh, OpenMesh::VPropHandleT<Connectivity::VertexData>(), "<vprop>");
+    remove_by_name(mesh, OpenMesh::HPropHandleT<Connectivity::HalfedgeData>(), "<hprop>");
+    remove_by_name(mesh, OpenMesh::EPropHandleT<Connectivity::EdgeData>(), "<eprop>");
+    remove_by_name(mesh, OpenMesh::FPropHandleT<Connectivity::FaceData>(), "<fprop>");
+}
+
 } // namespace
 
 BaseSurface::BaseSurface(const Scan& scan)
-    : vertices_(scan.positions.size()), faces_(scan.faces.size()), places_(scan.positions.size()),
-      next_on_face_(scan.positions.size(), -1) {
+    : scan_(&scan), vertices_(scan.positions.size()), faces_(scan.faces.size()), links_(scan.positions.size()),
+      coordinates_(std::make_unique_for_overwrite<Coordinates[]>(scan.positions.size())) {
     const std::size_t f_count = scan.faces.size();
     connectivity_.reserve(scan.positions.size(), scan.positions.size() + f_count, f_count);
+    lists_.reserve(list_numbers_per_face * f_count); // address space: what is not reached takes no memory
+    remove_unused_properties(connectivity_);
     for (std::size_t v = 0; v < scan.positions.size(); ++v) {
-        connectivity_.add_vertex({0.0F, 0.0F, 0.0F});
-        vertices_[v] = {scan.positions[v], Vec3::Zero(), static_cast<std::int32_t>(v)};
-        places_[v].kept = static_cast<std::int32_t>(v);
+        connectivity_.new_vertex();
     }
     for (std::size_t f = 0; f < f_count; ++f) {
         const Triangle& face = scan.faces[f];
@@ -26,7 +49,62 @@ BaseSurface::BaseSurface(const Scan& scan)
         if (!connectivity_.add_face(corners, 3).is_valid()) {
             throw RefusedMesh("the faces do not form a manifold");
         }
-        faces_[f].scan_faces.assign(1, static_cast<std::int32_t>(f));
+        faces_[f].list = static_cast<std::int32_t>(f);
+    }
+}
+
+void BaseSurface::set_vertex(std::int32_t v, const BaseVertex& vertex) {
+    assert(vertex.scan_vertex < 0 || (vertex.scan_vertex == v && vertex.position == scan_->positions[v]));
+    set_direction(v, vertex.direction);
+    if (vertex.scan_vertex >= 0) {
+        release_position(v);
+        vertices_[v].position = kept;
+    } else {
+        set_position(v, vertex.position);
+    }
+}
+
+/// Of a vertex that is not kept.
+void BaseSurface::set_position(std::int32_t v, const Vec3& position) {
+    std::int32_t& index = vertices_[v].position;
+    if (position == scan_->positions[v]) {
+        release_position(v);
+        index = as_in_the_scan;
+    } else if (index >= 0) {
+        moved_[index] = position;
+    } else {
+        index = moved_.add(position);
+    }
+}
+
+void BaseSurface::set_direction(std::int32_t v, const Vec3& direction) {
+    assert(is_float32(direction));
+    vertices_[v].direction = {static_cast<float>(direction.x()), static_cast<float>(direction.y()),
+                              static_cast<float>(direction.z())};
+}
+
+void BaseSurface::drop_vertex(std::int32_t v) {
+    release_position(v);
+    vertices_[v].position = as_in_the_scan;
+}
+
+void BaseSurface::release_position(std::int32_t v) {
+    if (vertices_[v].position >= 0) {
+        moved_.remove(vertices_[v].position);
+    }
+}
+
+void BaseSurface::set_face(std::int32_t f, const BaseFace& face) {
+    assert(is_float32(face.range.lo) && is_float32(face.range.hi));
+    StoredFace& stored = faces_[f];
+    if (stored.first_vertex != own_scan_face && stored.list != no_list) {
+        lists_.remove(stored.list);
+    }
+    stored.range = {static_cast<float>(face.range.lo), static_cast<float>(face.range.hi)};
+    stored.first_vertex = face.is_scan_face ? own_scan_face : face.first_vertex;
+    stored.list = face.is_scan_face ? f : face.scan_faces.empty() ? no_list : lists_.add(f, face.scan_faces);
+    if (lists_.is_wasteful()) {
+        lists_.compact([&](std::int32_t owner, ListHandle list) { faces_[owner].list = list; });
     }
 }
 
@@ -73,8 +151,9 @@ std::int32_t BaseSurface::any_face_around(std::int32_t v) const {
 }
 
 void BaseSurface::set_place(std::int32_t scan_vertex, std::int32_t face, const Vec3& alpha, double t) {
-    places_[scan_vertex] = {face, -1, alpha, t};
-    next_on_face_[scan_vertex] = faces_[face].first_vertex;
+    assert(faces_[face].first_vertex != own_scan_face);
+    links_[scan_vertex] = {face, faces_[face].first_vertex};
+    coordinates_[scan_vertex] = {alpha, t};
     faces_[face].first_vertex = scan_vertex;
 }
 

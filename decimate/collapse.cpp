@@ -15,7 +15,7 @@ Vec3 normal_of(const std::array<Vec3, 3>& corners) {
     return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
-const BaseVertex& vertex_of(const BaseSurface& base, const Patch& patch, std::int32_t v) {
+BaseVertex vertex_of(const BaseSurface& base, const Patch& patch, std::int32_t v) {
     for (const PatchVertex& changed : patch.changed) {
         if (changed.index == v) {
             return changed.value;
@@ -35,13 +35,45 @@ bool is_beside_crowded_vertex(const BaseSurface& base, const Collapse& collapse)
                        [&](std::int32_t v) { return valence(base, v) > most_edges_at_a_vertex; });
 }
 
+/// The vertex across a halfedge in its face, invalid at a border. False if the other two edges of that face are border
+/// edges: the face would be left as one edge.
+bool find_apex(const Connectivity& mesh, OpenMesh::HalfedgeHandle halfedge, OpenMesh::VertexHandle& apex) {
+    if (mesh.is_boundary(halfedge)) {
+        return true;
+    }
+    const OpenMesh::HalfedgeHandle next = mesh.next_halfedge_handle(halfedge);
+    apex = mesh.to_vertex_handle(next);
+    return !mesh.is_boundary(mesh.opposite_halfedge_handle(next)) ||
+           !mesh.is_boundary(mesh.opposite_halfedge_handle(mesh.next_halfedge_handle(next)));
+}
+
+/// Whether the ends have no neighbour in common but the apexes of the faces at the edge. OpenMesh's is_collapse_ok()
+/// asks the same, but marks vertices while it does, which threads must not.
+bool meets_link_condition(const Connectivity& mesh, OpenMesh::HalfedgeHandle halfedge) {
+    OpenMesh::VertexHandle left;
+    OpenMesh::VertexHandle right;
+    if (!find_apex(mesh, halfedge, left) || !find_apex(mesh, mesh.opposite_halfedge_handle(halfedge), right) ||
+        left == right) {
+        return false;
+    }
+    const OpenMesh::VertexHandle stays = mesh.to_vertex_handle(halfedge);
+    for (const auto a : mesh.vv_range(mesh.from_vertex_handle(halfedge))) {
+        for (const auto b : mesh.vv_range(stays)) {
+            if (a == b && a != left && a != right) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 Collapse reversed(const BaseSurface& base, const Collapse& collapse) {
     return along(base, base.connectivity().opposite_halfedge_handle(collapse.halfedge));
 }
 
-Verdict make_collapse(BaseSurface& base, std::int32_t edge, const CollapseRules& rules, Collapse& out) {
+Verdict make_collapse(const BaseSurface& base, std::int32_t edge, const CollapseRules& rules, Collapse& out) {
     const std::span<const Mobility> mobility = rules.mobility;
     const Connectivity& mesh = base.connectivity();
     const OpenMesh::EdgeHandle handle(edge);
@@ -64,8 +96,7 @@ Verdict make_collapse(BaseSurface& base, std::int32_t edge, const CollapseRules&
     // A closed component of four faces would become two faces on the same corners, which OpenMesh does not see.
     const bool tetrahedron =
         !border_gone && !border_stays && valence(base, out.gone) == 3 && valence(base, out.stays) == 3;
-    return !tetrahedron && base.connectivity().is_collapse_ok(out.halfedge) ? Verdict::accepted
-                                                                            : Verdict::link_condition;
+    return !tetrahedron && meets_link_condition(mesh, out.halfedge) ? Verdict::accepted : Verdict::link_condition;
 }
 
 void fill_faces(const BaseSurface& base, const Collapse& collapse, Extent extent, Patch& patch) {

@@ -41,7 +41,8 @@ inline constexpr int most_edges_at_a_vertex = 1000;
 
 /// Chooses which end of the edge stays, a fixed one if there is one, and applies the guards of topology: `frozen`,
 /// `boundary`, `valence`, `link_condition`, in this order.
-[[nodiscard]] Verdict make_collapse(BaseSurface& base, std::int32_t edge, const CollapseRules& rules, Collapse& out);
+[[nodiscard]] Verdict make_collapse(const BaseSurface& base, std::int32_t edge, const CollapseRules& rules,
+                                    Collapse& out);
 
 /// The same collapse with the ends exchanged.
 [[nodiscard]] Collapse reversed(const BaseSurface& base, const Collapse& collapse);

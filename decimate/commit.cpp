@@ -7,19 +7,11 @@ namespace {
 
 void commit_faces(BaseSurface& base, const Patch& patch, const Trial& trial) {
     for (const std::int32_t f : patch.removed) {
-        base.face(f).scan_faces.clear();
-        base.face(f).first_vertex = -1;
+        base.clear_face(f);
     }
     for (std::size_t n = 0; n < patch.added.size(); ++n) {
-        BaseFace& face = base.face(patch.added[n].slot);
-        face.range = trial.faces[n].range;
-        face.is_scan_face = trial.faces[n].is_scan_face;
-        face.scan_faces = trial.faces[n].scan_faces;
-    }
-    for (const std::int32_t f : patch.removed) {
-        if (base.face(f).scan_faces.empty()) {
-            base.face(f).scan_faces.shrink_to_fit();
-        }
+        const Trial::NewFace& face = trial.faces[n];
+        base.set_face(patch.added[n].slot, {face.range, face.scan_faces, -1, face.is_scan_face});
     }
 }
 
@@ -36,8 +28,9 @@ void commit_places(BaseSurface& base, const Patch& patch, const Trial& trial) {
 void commit_collapse(BaseSurface& base, const Collapse& collapse, const Patch& patch, const Trial& trial) {
     base.connectivity().collapse(collapse.halfedge);
     for (const PatchVertex& changed : patch.changed) {
-        base.vertex(changed.index) = changed.value;
+        base.set_vertex(changed.index, changed.value);
     }
+    base.drop_vertex(collapse.gone);
     commit_faces(base, patch, trial);
     commit_places(base, patch, trial);
 }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -43,25 +44,35 @@ void require_sensible(const DecimateOptions& options) {
     require(options.max_displacement.value_or(0.0) >= 0.0, "DecimateOptions: max_displacement is not 0 or more");
 }
 
-DecimateResult run(const Scan& scan, const DecimateOptions& options) {
-    const Stopwatch setup;
-    require_no_defects(scan);
-    const LocalOrder order = local_order(scan);
-    const Scan ordered = in_order(scan, order);
-    Decimator decimator(ordered, options);
+/// Of a scan in the given order. The setup is timed from the start of the stopwatch.
+DecimateResult run_in_order(const Scan& scan, const LocalOrder& order, const DecimateOptions& options,
+                            const Stopwatch& setup) {
+    BaseSurface base(scan);
+    auto decimator = std::make_unique<Decimator>(base, scan, options);
     const double setup_seconds = setup.wall();
     const double setup_cpu_seconds = setup.cpu();
     const Stopwatch loop;
     DecimateResult result;
-    result.stop_reason = decimator.run();
-    result.statistics = decimator.statistics();
-    ExportedMesh left = export_base_mesh(decimator.base(), order, options.directions == Directions::face, scan.float32);
+    result.stop_reason = decimator->run();
+    result.statistics = decimator->statistics();
+    decimator.reset(); // what is exported needs room
+    ExportedMesh left = export_base_mesh(base, order, options.directions == Directions::face, scan.float32);
     result.base = std::move(left.base);
     result.correspondence = std::move(left.correspondence);
     result.statistics.setup_seconds = setup_seconds;
     result.statistics.setup_cpu_seconds = setup_cpu_seconds;
     result.statistics.decimate_seconds = loop.wall();
     result.statistics.decimate_cpu_seconds = loop.cpu();
+    return result;
+}
+
+DecimateResult run(Scan& scan, const DecimateOptions& options) {
+    const Stopwatch setup;
+    require_no_defects(scan);
+    const LocalOrder order = local_order(scan);
+    scan = in_order(std::move(scan), order);
+    DecimateResult result = run_in_order(scan, order, options, setup);
+    scan = as_before(std::move(scan), order);
     return result;
 }
 
@@ -86,6 +97,11 @@ DecimateOptions paper_options() {
 }
 
 DecimateResult decimate(const Scan& scan, const DecimateOptions& options) {
+    Scan copy = scan;
+    return decimate_in_place(copy, options);
+}
+
+DecimateResult decimate_in_place(Scan& scan, const DecimateOptions& options) {
     require_sensible(options);
     const DefaultArithmetic arithmetic;
     tbb::task_arena arena(concurrency(options)); // its threads compute as this one does

@@ -13,11 +13,10 @@ double squared_length(const BaseSurface& base, std::int32_t edge) {
 
 } // namespace
 
-void enter_all_edges(const BaseSurface& base, EdgeQueue& queue) {
-    const auto count = static_cast<std::int32_t>(base.connectivity().n_edges());
-    for (std::int32_t edge = 0; edge < count; ++edge) {
-        queue.push(edge, squared_length(base, edge));
-    }
+EdgeQueue all_edges(const BaseSurface& base) {
+    EdgeQueue queue(base.connectivity().n_edges(), [&base](std::int32_t edge) { return squared_length(base, edge); });
+    queue.push_all();
+    return queue;
 }
 
 void edges_changed_by(const BaseSurface& base, const Collapse& collapse, Extent extent,
@@ -40,7 +39,7 @@ void requeue(const BaseSurface& base, std::int32_t stays, const std::vector<std:
         if (mesh.status(OpenMesh::EdgeHandle(edge)).deleted()) {
             queue.erase(edge);
         } else {
-            queue.push(edge, squared_length(base, edge));
+            queue.push(edge);
         }
     }
     for (const auto neighbour : mesh.vv_range(OpenMesh::VertexHandle(stays))) {

@@ -11,8 +11,8 @@
 
 namespace foldless {
 
-/// Enters every edge of the base mesh.
-void enter_all_edges(const BaseSurface& base, EdgeQueue& queue);
+/// A queue of every edge of the base mesh, which must outlive it.
+[[nodiscard]] EdgeQueue all_edges(const BaseSurface& base);
 
 /// The edges that the collapse changes or takes away: those around the vertex that goes, and around the one that stays
 /// if that moves.

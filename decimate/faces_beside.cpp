@@ -48,7 +48,7 @@ Verdict FacesBeside::test_wall(int outer, int k) const {
     constexpr double near = 1e-6; // far above the rounding of places
     const BaseSurface& base = surface_->base();
     for (std::int32_t v = base.face(surface_->cell(outer).face).first_vertex; v >= 0; v = base.next_on_face(v)) {
-        const Place& place = base.place(v);
+        const Place place = base.place(v);
         if (place.alpha[k] > near) {
             continue;
         }

@@ -26,7 +26,7 @@ void FanOrder::look_along_spokes(const PatchedSurface& surface) {
     const ViewAlong view(direction_);
     spokes_.clear();
     for (const std::int32_t spoke : fan_->spokes) {
-        const BaseVertex& end = surface.vertex(spoke);
+        const BaseVertex end = surface.vertex(spoke);
         spokes_.push_back({end.scan_vertex, {end.position, view.see(end.position - centre_)}});
     }
 }

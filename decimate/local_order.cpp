@@ -68,6 +68,23 @@ Triangle from_smallest(Triangle face) {
     return face;
 }
 
+void renumber(std::vector<Triangle>& faces, const std::vector<std::int32_t>& new_index) {
+    for (Triangle& face : faces) {
+        face = renumbered(face, new_index);
+    }
+}
+
+/// The values at these indices.
+template <class Value>
+std::vector<Value> picked(const std::vector<Value>& values, const std::vector<std::int32_t>& indices) {
+    std::vector<Value> result;
+    result.reserve(indices.size());
+    for (const std::int32_t index : indices) {
+        result.push_back(values[index]);
+    }
+    return result;
+}
+
 bool lexicographically_less(const Vec3& a, const Vec3& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
@@ -104,18 +121,18 @@ LocalOrder local_order(const Scan& scan) {
     return order;
 }
 
-Scan in_order(const Scan& scan, const LocalOrder& order) {
-    Scan result{{}, {}, scan.float32};
-    result.positions.reserve(order.vertices.size());
-    for (const std::int32_t v : order.vertices) {
-        result.positions.push_back(scan.positions[v]);
-    }
-    const std::vector<std::int32_t> new_index = inverse(order.vertices);
-    result.faces.reserve(order.faces.size());
-    for (const std::int32_t f : order.faces) {
-        result.faces.push_back(renumbered(scan.faces[f], new_index));
-    }
-    return result;
+Scan in_order(Scan scan, const LocalOrder& order) {
+    scan.positions = picked(scan.positions, order.vertices);
+    renumber(scan.faces, inverse(order.vertices));
+    scan.faces = picked(scan.faces, order.faces);
+    return scan;
+}
+
+Scan as_before(Scan scan, const LocalOrder& order) {
+    scan.positions = picked(scan.positions, inverse(order.vertices));
+    renumber(scan.faces, order.vertices);
+    scan.faces = picked(scan.faces, inverse(order.faces));
+    return scan;
 }
 
 } // namespace foldless

@@ -23,8 +23,12 @@ struct LocalOrder {
 /// O(n log n).
 [[nodiscard]] LocalOrder local_order(const Scan& scan);
 
-/// The scan with its vertices and faces in that order; corners keep theirs within each face.
-[[nodiscard]] Scan in_order(const Scan& scan, const LocalOrder& order);
+/// The scan with its vertices and faces in that order; corners keep theirs within each face. A scan that is moved into
+/// the call needs no second one: one array at a time is copied.
+[[nodiscard]] Scan in_order(Scan scan, const LocalOrder& order);
+
+/// The scan of which this is in_order().
+[[nodiscard]] Scan as_before(Scan scan, const LocalOrder& order);
 
 /// For an order given as the old index of each new one, the new index of each old one.
 [[nodiscard]] std::vector<std::int32_t> inverse(const std::vector<std::int32_t>& order);

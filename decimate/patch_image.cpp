@@ -5,20 +5,20 @@
 namespace foldless {
 
 PatchImage::PatchImage(const Scan& scan, const ScanTopology& topology, bool constant_directions)
-    : scan_(&scan), topology_(&topology), constant_directions_(constant_directions), moved_(scan.positions.size()),
-      ordered_(scan.positions.size()) {}
+    : scan_(&scan), topology_(&topology), constant_directions_(constant_directions) {}
 
 void PatchImage::reset(PatchedSurface& surface, PatchRanges& ranges) {
     surface_ = &surface;
     ranges_ = &ranges;
-    ++stamp_;
+    moved_.clear();
+    ordered_.clear();
     lifts_.clear();
     orders_used_ = 0;
     traces_.clear();
 }
 
 void PatchImage::add(std::int32_t scan_vertex, const Lift& lift) {
-    moved_[scan_vertex] = {stamp_, static_cast<std::int32_t>(lifts_.size())};
+    moved_.set(scan_vertex, static_cast<std::int32_t>(lifts_.size()));
     lifts_.push_back({scan_vertex, lift});
 }
 
@@ -26,7 +26,7 @@ Verdict PatchImage::order_fans(const Patch& patch) {
     for (const PatchFace& face : patch.added) {
         for (const std::int32_t v : face.corners) {
             const std::int32_t scan_vertex = surface_->vertex(v).scan_vertex;
-            if (scan_vertex < 0 || ordered_[scan_vertex].stamp == stamp_) {
+            if (scan_vertex < 0 || ordered_.contains(scan_vertex)) {
                 continue;
             }
             const Verdict verdict = order_fan(v, scan_vertex);
@@ -44,16 +44,15 @@ Verdict PatchImage::order_fan(std::int32_t base_vertex, std::int32_t scan_vertex
     }
     const Verdict verdict = orders_[orders_used_].reset(base_vertex, *surface_, *scan_, *topology_);
     if (verdict == Verdict::accepted) {
-        ordered_[scan_vertex] = {stamp_, static_cast<std::int32_t>(orders_used_)};
+        ordered_.set(scan_vertex, static_cast<std::int32_t>(orders_used_));
         ++orders_used_;
     }
     return verdict;
 }
 
 const FanOrder* PatchImage::order_of(std::int32_t base_vertex, std::int32_t scan_vertex) {
-    const bool known =
-        ordered_[scan_vertex].stamp == stamp_ || order_fan(base_vertex, scan_vertex) == Verdict::accepted;
-    return known ? &orders_[ordered_[scan_vertex].index] : nullptr;
+    const bool known = ordered_.contains(scan_vertex) || order_fan(base_vertex, scan_vertex) == Verdict::accepted;
+    return known ? &orders_[ordered_.find(scan_vertex)] : nullptr;
 }
 
 Verdict PatchImage::find(std::int32_t scan_vertex, Corner& out) {
@@ -66,7 +65,7 @@ Verdict PatchImage::find(std::int32_t scan_vertex, Corner& out) {
         out.lift = lifts_[n].lift;
         return Verdict::accepted;
     }
-    const Place& place = surface_->base().place(scan_vertex);
+    const Place place = surface_->base().place(scan_vertex);
     if (place.kept < 0) {
         return find_staying(place, out);
     }

@@ -4,6 +4,7 @@
 
 #include <foldless/decimate/edge_trace.h>
 #include <foldless/decimate/fan_order.h>
+#include <foldless/decimate/index_map.h>
 #include <foldless/decimate/patch_ranges.h>
 #include <foldless/decimate/patched_surface.h>
 #include <foldless/decimate/point_location.h>
@@ -47,10 +48,7 @@ public:
     void add(std::int32_t scan_vertex, const Lift& lift);
     [[nodiscard]] const std::vector<NewLift>& lifts() const { return lifts_; }
     /// Into lifts(), or -1 if the vertex has no new place.
-    [[nodiscard]] std::int32_t moved(std::int32_t scan_vertex) const {
-        const Stamped& moved = moved_[scan_vertex];
-        return moved.stamp == stamp_ ? moved.index : -1;
-    }
+    [[nodiscard]] std::int32_t moved(std::int32_t scan_vertex) const { return moved_.find(scan_vertex); }
 
     /// Condition K at the kept vertices of the patch: the refusals of FanOrder::reset().
     [[nodiscard]] Verdict order_fans(const Patch& patch);
@@ -75,21 +73,15 @@ private:
     [[nodiscard]] Verdict order_fan(std::int32_t base_vertex, std::int32_t scan_vertex);
     [[nodiscard]] const FanOrder* order_of(std::int32_t base_vertex, std::int32_t scan_vertex);
 
-    /// Valid if it bears the stamp of the trial.
-    struct Stamped {
-        std::uint32_t stamp = 0;
-        std::int32_t index = -1;
-    };
     const Scan* scan_;
     const ScanTopology* topology_;
     bool constant_directions_;
     PatchedSurface* surface_ = nullptr;
     PatchRanges* ranges_ = nullptr;
-    std::uint32_t stamp_ = 0;
-    std::vector<Stamped> moved_; ///< per scan vertex, into lifts_
+    IndexMap moved_; ///< of scan vertices, into lifts_
     std::vector<NewLift> lifts_;
-    std::vector<Stamped> ordered_; ///< per scan vertex, into orders_
-    std::deque<FanOrder> orders_;  ///< which stay where they are; the first orders_used_ are of this trial
+    IndexMap ordered_;            ///< of scan vertices, into orders_
+    std::deque<FanOrder> orders_; ///< which stay where they are; the first orders_used_ are of this trial
     std::size_t orders_used_ = 0;
     TraceCache traces_;
 };

@@ -24,18 +24,16 @@ Vec3 face_direction(const std::array<Vec3, 3>& corners) {
     return to_float32(normal.normalized());
 }
 
-PatchedSurface::PatchedSurface(const BaseSurface& base)
-    : base_(&base), removed_stamp_(base.face_slots(), 0), cell_stamp_(base.face_slots(), 0),
-      cell_index_(base.face_slots(), 0) {}
-
 void PatchedSurface::reset(const Patch& patch, bool constant_directions) {
     patch_ = &patch;
     constant_directions_ = constant_directions;
-    ++stamp_;
+    removed_.clear();
+    cell_for_.clear();
     cells_used_ = 0;
     fans_used_ = 0;
+    impassable_.clear();
     for (const std::int32_t face : patch.removed) {
-        removed_stamp_[face] = stamp_;
+        removed_.insert(face);
     }
     find_rim();
     for (const PatchFace& face : patch.added) {
@@ -56,7 +54,7 @@ void PatchedSurface::find_rim() {
     }
 }
 
-const BaseVertex& PatchedSurface::vertex(std::int32_t v) const {
+BaseVertex PatchedSurface::vertex(std::int32_t v) const {
     for (const PatchVertex& changed : patch_->changed) {
         if (changed.index == v) {
             return changed.value;
@@ -77,7 +75,7 @@ void PatchedSurface::prepare(std::int32_t face, const Triangle& corners, bool im
     cell.impassable = impassable;
     cell.range = face >= 0 ? base_->face(face).range : Range{0.0, 0.0};
     for (int k = 0; k < 3; ++k) {
-        const BaseVertex& corner = vertex(corners[k]);
+        const BaseVertex corner = vertex(corners[k]);
         cell.triangle.v[k] = corner.position;
         cell.triangle.d[k] = corner.direction;
         cell.kept[k] = corner.scan_vertex >= 0;
@@ -104,12 +102,14 @@ bool PatchedSurface::represents_itself(const PatchFace& face) const {
 
 int PatchedSurface::cell_of(std::int32_t face) {
     assert(!removes(face));
-    if (cell_stamp_[face] != stamp_) {
-        cell_stamp_[face] = stamp_;
-        cell_index_[face] = cells_used_;
-        prepare(face, base_->corners(face), base_->face(face).is_scan_face);
+    const int known = cell_for_.find(face);
+    if (known >= 0) {
+        return known;
     }
-    return cell_index_[face];
+    const int cell = cells_used_;
+    cell_for_.set(face, cell);
+    prepare(face, base_->corners(face), base_->face(face).is_scan_face);
+    return cell;
 }
 
 int PatchedSurface::new_cell_along(std::int32_t from, std::int32_t to) const {
@@ -164,7 +164,12 @@ void PatchedSurface::cells_beside(std::vector<int>& out) {
         around_.clear();
         base_->append_faces_around(v, around_);
         for (const std::int32_t face : around_) {
-            if (!removes(face) && !base_->face(face).is_scan_face) {
+            if (removes(face)) {
+                continue;
+            }
+            if (base_->face(face).is_scan_face) {
+                impassable_.push_back(face);
+            } else {
                 out.push_back(cell_of(face));
             }
         }
@@ -179,6 +184,13 @@ void PatchedSurface::cells_beside(std::vector<int>& out) {
     }
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());
+}
+
+void PatchedSurface::append_read(std::vector<std::int32_t>& out) const {
+    for (int c = new_cells(); c < cells_used_; ++c) {
+        out.push_back(cells_[c]->face);
+    }
+    out.insert(out.end(), impassable_.begin(), impassable_.end());
 }
 
 int PatchedSurface::any_cell_at(std::int32_t v) {

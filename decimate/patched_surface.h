@@ -2,6 +2,7 @@
 /// The base mesh as it would be with a patch in place, without touching it.
 #pragma once
 
+#include <foldless/decimate/index_map.h>
 #include <foldless/decimate/patch.h>
 #include <foldless/predicates/vector.h>
 #include <foldless/predicates/wall.h>
@@ -54,7 +55,7 @@ struct Fan {
 
 class PatchedSurface {
 public:
-    explicit PatchedSurface(const BaseSurface& base);
+    explicit PatchedSurface(const BaseSurface& base) : base_(&base) {}
 
     /// Prepares the questions about one patch; the patch must outlive them. With `constant_directions` every face has
     /// its own normal as the direction of its corners.
@@ -64,11 +65,11 @@ public:
     /// Stays where it is until the next reset().
     [[nodiscard]] Cell& cell(int c) { return *cells_[c]; }
     [[nodiscard]] const Cell& cell(int c) const { return *cells_[c]; }
-    [[nodiscard]] const BaseVertex& vertex(std::int32_t v) const;
+    [[nodiscard]] BaseVertex vertex(std::int32_t v) const;
     [[nodiscard]] const BaseSurface& base() const { return *base_; }
 
     /// Whether the patch takes this base face away.
-    [[nodiscard]] bool removes(std::int32_t face) const { return removed_stamp_[face] == stamp_; }
+    [[nodiscard]] bool removes(std::int32_t face) const { return removed_.contains(face); }
     /// The cell of a base face outside the patch.
     [[nodiscard]] int cell_of(std::int32_t face);
     /// The cell across the wall opposite corner k, or `border`.
@@ -79,6 +80,8 @@ public:
     [[nodiscard]] bool share_corner(int a, int b) const;
     /// The passable cells outside the patch that share a corner with a new cell.
     void cells_beside(std::vector<int>& out);
+    /// Appends the base faces outside the patch that were looked at, some more than once.
+    void append_read(std::vector<std::int32_t>& out) const;
     /// The fan of cells around a vertex of the patched surface; stays where it is until the next reset.
     [[nodiscard]] const Fan& fan(std::int32_t v);
 
@@ -96,10 +99,8 @@ private:
     bool constant_directions_ = false;
     std::vector<std::unique_ptr<Cell>> cells_; ///< the first cells_used_ are of this patch
     int cells_used_ = 0;
-    std::uint32_t stamp_ = 0;
-    std::vector<std::uint32_t> removed_stamp_; ///< per base face
-    std::vector<std::uint32_t> cell_stamp_;    ///< per base face
-    std::vector<int> cell_index_;              ///< per base face, valid where stamped
+    IndexMap removed_;  ///< the base faces that go
+    IndexMap cell_for_; ///< of base faces outside the patch
     /// An edge of the rim, in the orientation of the patch, and the face that stays on its other side.
     struct RimEdge {
         std::int32_t from, to;
@@ -108,7 +109,8 @@ private:
     std::vector<RimEdge> rim_;
     std::deque<Fan> fans_; ///< those asked for; the first fans_used_ are of this patch
     std::size_t fans_used_ = 0;
-    std::vector<std::int32_t> around_; ///< scratch
+    std::vector<std::int32_t> around_;     ///< scratch
+    std::vector<std::int32_t> impassable_; ///< base faces beside the patch that are no cells
 };
 
 } // namespace foldless

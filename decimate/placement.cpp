@@ -18,14 +18,14 @@ void add_moved(const PlacementContext& context, const Vec3& position, std::vecto
 }
 
 void add_end(const PlacementContext& context, std::int32_t v, bool keeps_direction, std::vector<Candidate>& out) {
-    const Vec3& position = context.base->vertex(v).position;
+    const Vec3 position = context.base->vertex(v).position;
     out.push_back({position, v, context.quadric(position - context.origin), keeps_direction});
 }
 
 /// The minimiser, if it is well determined and not further from the edge than the edge is long.
 std::optional<Vec3> minimiser_near(const PlacementContext& context) {
-    const Vec3& a = context.base->vertex(context.collapse.gone).position;
-    const Vec3& b = context.base->vertex(context.collapse.stays).position;
+    const Vec3 a = context.base->vertex(context.collapse.gone).position;
+    const Vec3 b = context.base->vertex(context.collapse.stays).position;
     const std::optional<Vec3> x = context.quadric.minimiser();
     if (!x) {
         return std::nullopt;
@@ -87,8 +87,8 @@ std::optional<Vec3> covering_point(const PlacementContext& context) {
     std::array<HalfSpace, 3> spaces;
     int count = 0;
     for (const auto edge : {mesh.prev_halfedge_handle(h), h, mesh.next_halfedge_handle(h)}) {
-        const BaseVertex& to = base.vertex(mesh.from_vertex_handle(edge).idx());
-        const BaseVertex& from = base.vertex(mesh.to_vertex_handle(edge).idx());
+        const BaseVertex to = base.vertex(mesh.from_vertex_handle(edge).idx());
+        const BaseVertex from = base.vertex(mesh.to_vertex_handle(edge).idx());
         const std::optional<HalfSpace> space = beyond(from.position, to.position, from.direction + to.direction);
         if (!space) {
             return std::nullopt;

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <utility>
 
 namespace foldless {
 namespace {
@@ -54,18 +55,53 @@ std::optional<Vec3> Quadric::minimiser() const {
     return Vec3(a.inverse() * b_);
 }
 
-std::vector<Quadric> vertex_quadrics(const Scan& scan, const Vec3& origin) {
-    std::vector<Quadric> quadrics(scan.positions.size());
-    for (const Triangle& face : scan.faces) {
-        const Vec3& p = scan.positions[face[0]];
-        const Vec3 normal = (scan.positions[face[1]] - p).cross(scan.positions[face[2]] - p);
+VertexQuadrics::VertexQuadrics(const Scan& scan, const ScanTopology& topology, const Vec3& origin)
+    : scan_(&scan), topology_(&topology), origin_(origin), index_(scan.positions.size(), -1) {
+    merged_.reserve(scan.positions.size() / 2); // address space: each has two vertices or more
+}
+
+Quadric VertexQuadrics::operator[](std::int32_t v) const {
+    return index_[v] < 0 ? of_scan_vertex(v) : merged_[index_[v]];
+}
+
+Quadric VertexQuadrics::of_scan_vertex(std::int32_t v) const {
+    Quadric quadric;
+    for (const std::int32_t f : topology_->faces_around(v)) {
+        const Triangle& face = scan_->faces[f];
+        const Vec3& p = scan_->positions[face[0]];
+        const Vec3 normal = (scan_->positions[face[1]] - p).cross(scan_->positions[face[2]] - p);
         const double length = normal.norm();
         const Vec3 weighted = length > 0 ? Vec3(normal / std::sqrt(length)) : Vec3(Vec3::Zero());
-        for (const std::int32_t v : face) {
-            quadrics[v].add_plane(p - origin, weighted);
-        }
+        quadric.add_plane(p - origin_, weighted);
     }
-    return quadrics;
+    return quadric;
+}
+
+void VertexQuadrics::merge(std::int32_t stays, std::int32_t gone) {
+    Quadric sum = (*this)[stays];
+    sum += (*this)[gone];
+    if (index_[gone] >= 0) {
+        merged_.remove(index_[gone]);
+        index_[gone] = -1;
+    }
+    if (index_[stays] >= 0) {
+        merged_[index_[stays]] = sum;
+    } else {
+        index_[stays] = merged_.add(sum);
+    }
+    if (merged_.is_sparse()) {
+        give_back_room();
+    }
+}
+
+/// Looks at every vertex, each time that three quarters of the merged ones have gone.
+void VertexQuadrics::give_back_room() {
+    Pool<Quadric> dense;
+    dense.reserve(merged_.size());
+    for (std::int32_t& index : index_) {
+        index = index < 0 ? -1 : dense.add(merged_[index]);
+    }
+    merged_ = std::move(dense);
 }
 
 } // namespace foldless

@@ -2,9 +2,12 @@
 /// Error quadrics: the sum of squared distances to a set of planes.
 #pragma once
 
+#include <foldless/decimate/pool.h>
+#include <foldless/decimate/scan_topology.h>
 #include <foldless/io/scan.h>
 #include <foldless/predicates/vector.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -33,7 +36,29 @@ private:
     double c_ = 0;
 };
 
-/// For each scan vertex the planes of the faces around it, weighted by twice their areas, relative to `origin`.
-[[nodiscard]] std::vector<Quadric> vertex_quadrics(const Scan& scan, const Vec3& origin);
+/// The quadric of each vertex while vertices merge. At first it has the planes of the scan faces around the scan
+/// vertex, weighted by twice their areas, relative to `origin`; those are added up when they are asked for, which is
+/// seldom beside all else that is asked about an edge. Only vertices that have merged, at most a third of the vertices
+/// at once, take 80 bytes.
+class VertexQuadrics {
+public:
+    /// The scan and its topology must outlive the quadrics.
+    VertexQuadrics(const Scan& scan, const ScanTopology& topology, const Vec3& origin);
+
+    /// Time linear in the scan faces around the vertex.
+    [[nodiscard]] Quadric operator[](std::int32_t v) const;
+    /// Adds the quadric of the vertex that goes to that of the one that stays.
+    void merge(std::int32_t stays, std::int32_t gone);
+
+private:
+    [[nodiscard]] Quadric of_scan_vertex(std::int32_t v) const;
+    void give_back_room();
+
+    const Scan* scan_;
+    const ScanTopology* topology_;
+    Vec3 origin_;
+    std::vector<std::int32_t> index_; ///< per vertex: in merged_, or -1
+    Pool<Quadric> merged_;
+};
 
 } // namespace foldless

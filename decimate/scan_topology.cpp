@@ -5,9 +5,7 @@
 #include <algorithm>
 
 namespace foldless {
-ScanTopology::ScanTopology(const Scan& scan)
-    : offsets_(scan.positions.size() + 1, 0), faces_(3 * scan.faces.size()),
-      border_successor_(scan.positions.size(), -1) {
+ScanTopology::ScanTopology(const Scan& scan) : offsets_(scan.positions.size() + 1, 0), faces_(3 * scan.faces.size()) {
     for (const Triangle& face : scan.faces) {
         for (const std::int32_t v : face) {
             ++offsets_[v + 1];
@@ -30,6 +28,7 @@ ScanTopology::ScanTopology(const Scan& scan)
             const bool has_twin = std::any_of(around.begin(), around.end(),
                                               [&](std::int32_t f) { return runs_along(scan.faces[f], b, a); });
             if (!has_twin) {
+                border_successor_.resize(scan.positions.size(), -1); // which changes it the first time only
                 border_successor_[a] = b;
             }
         }

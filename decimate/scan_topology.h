@@ -10,7 +10,8 @@
 
 namespace foldless {
 
-/// The incidences of a scan without defects. 12 bytes per face and 8 per vertex; built in linear time.
+/// The incidences of a scan without defects. 12 bytes per face and 4 per vertex, 8 if the scan has a border; built in
+/// linear time.
 class ScanTopology {
 public:
     explicit ScanTopology(const Scan& scan);
@@ -21,17 +22,19 @@ public:
     }
 
     /// The vertex that follows along the border, the surface on the left, or -1 for an inner vertex.
-    [[nodiscard]] std::int32_t border_successor(std::int32_t vertex) const { return border_successor_[vertex]; }
+    [[nodiscard]] std::int32_t border_successor(std::int32_t vertex) const {
+        return border_successor_.empty() ? -1 : border_successor_[vertex];
+    }
 
     /// Whether the scan has a border edge between the two vertices.
     [[nodiscard]] bool is_border_edge(std::int32_t a, std::int32_t b) const {
-        return border_successor_[a] == b || border_successor_[b] == a;
+        return border_successor(a) == b || border_successor(b) == a;
     }
 
 private:
     std::vector<std::uint32_t> offsets_;
     std::vector<std::int32_t> faces_;
-    std::vector<std::int32_t> border_successor_;
+    std::vector<std::int32_t> border_successor_; ///< empty for a closed scan
 };
 
 } // namespace foldless

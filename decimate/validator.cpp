@@ -10,38 +10,32 @@
 #include <limits>
 
 namespace foldless {
-namespace {
 
-ScanTriangle triangle_of(const Scan& scan, std::int32_t f) {
-    const Triangle& face = scan.faces[f];
-    return {scan.positions[face[0]], scan.positions[face[1]], scan.positions[face[2]]};
-}
-
-} // namespace
-
-Validator::Validator(const BaseSurface& base, const Scan& scan, const ScanTopology& topology,
-                     const ValidatorOptions& options)
-    : base_(&base), scan_(&scan), topology_(&topology), options_(options), surface_(base),
-      image_(scan, topology, options.constant_directions), beside_(scan), borders_(scan, topology),
-      face_stamp_(scan.faces.size(), 0) {
-    normals_.reserve(scan.faces.size());
-    for (std::size_t f = 0; f < scan.faces.size(); ++f) {
-        normals_.push_back(ScanNormal(triangle_of(scan, static_cast<std::int32_t>(f))).normalised());
-    }
-}
+Validator::Validator(const BaseSurface& base, const PreparedScan& prepared, const ValidatorOptions& options)
+    : base_(&base), prepared_(&prepared), scan_(&prepared.scan()), topology_(&prepared.topology()), options_(options),
+      surface_(base), image_(*scan_, *topology_, options.constant_directions), beside_(*scan_),
+      borders_(*scan_, *topology_) {}
 
 const std::vector<std::int32_t>& Validator::gather(const std::vector<std::int32_t>& removed) {
-    ++stamp_;
+    gathered_.clear();
     scan_faces_.clear();
     for (const std::int32_t face : removed) {
         for (const std::int32_t f : base_->face(face).scan_faces) {
-            if (face_stamp_[f] != stamp_) {
-                face_stamp_[f] = stamp_;
+            if (gathered_.insert(f)) {
                 scan_faces_.push_back(f);
             }
         }
     }
     return scan_faces_;
+}
+
+void Validator::append_read(std::vector<std::int32_t>& faces) const {
+    surface_.append_read(faces);
+}
+
+void Validator::forget_refusals() {
+    witness_ = -1;
+    face_witness_ = -1;
 }
 
 Verdict Validator::judge(const Patch& patch) {
@@ -142,11 +136,11 @@ Verdict Validator::find_place(std::int32_t v, Lift& lift) {
 Verdict Validator::test_normals_at(std::int32_t v, const Lift& lift) const {
     const InterpolatedDirection d(surface_.cell(lift.cell).triangle.d, lift.at.alpha, lift.at.alpha_error);
     for (const std::int32_t f : topology_->faces_around(v)) {
-        Sign sign = d.sees(normals_[f]);
+        Sign sign = d.sees(prepared_->normal(f));
         if (sign == Sign::undecided) {
             const BaseTriangle& triangle = surface_.cell(lift.cell).triangle;
             const Vec3& q = scan_->positions[v];
-            sign = normal_condition_at(triangle, q, lift.point(triangle, q).t, triangle_of(*scan_, f));
+            sign = normal_condition_at(triangle, q, lift.point(triangle, q).t, prepared_->triangle(f));
         }
         if (sign != Sign::positive) {
             return verdict_of(sign, Verdict::normal_condition);
@@ -353,8 +347,8 @@ Verdict Validator::test_face(std::int32_t scan_face) {
         }
         return Verdict::no_preimage;
     }
-    const ScanTriangle q = triangle_of(*scan_, scan_face);
-    const ScanNormal& normal = normals_[scan_face];
+    const ScanTriangle q = prepared_->triangle(scan_face);
+    const ScanNormal& normal = prepared_->normal(scan_face);
     Verdict verdict = test_kept_corners(q, corners, normal);
     if (verdict != Verdict::accepted) {
         return verdict;
@@ -408,7 +402,8 @@ Verdict Validator::test_constant(std::int32_t scan_face, const std::array<Corner
         }
         // Seen along one direction, a triangle keeps its orientation exactly where N.n > 0.
         touch(c, scan_face);
-        return verdict_of(normals_[scan_face].seen_along(surface_.cell(c).triangle.d[0]), Verdict::normal_condition);
+        return verdict_of(prepared_->normal(scan_face).seen_along(surface_.cell(c).triangle.d[0]),
+                          Verdict::normal_condition);
     }
     return Verdict::no_preimage;
 }
@@ -419,7 +414,7 @@ Verdict Validator::test_kept_corners(const ScanTriangle& q, const std::array<Cor
         if (corner.order == nullptr) {
             continue;
         }
-        const Vec3& direction = surface_.vertex(corner.order->vertex()).direction;
+        const Vec3 direction = surface_.vertex(corner.order->vertex()).direction;
         Sign sign = normal.seen_along(direction);
         if (sign == Sign::undecided) {
             sign = seen_along(direction, q);

@@ -5,17 +5,17 @@
 #include <foldless/decimate/direction_cone.h>
 #include <foldless/decimate/edge_trace.h>
 #include <foldless/decimate/faces_beside.h>
+#include <foldless/decimate/index_map.h>
 #include <foldless/decimate/patch_image.h>
 #include <foldless/decimate/patch_ranges.h>
 #include <foldless/decimate/patched_surface.h>
 #include <foldless/decimate/pillars.h>
 #include <foldless/decimate/point_location.h>
+#include <foldless/decimate/prepared_scan.h>
 #include <foldless/decimate/prismoid.h>
-#include <foldless/decimate/scan_topology.h>
 #include <foldless/decimate/trial.h>
 #include <foldless/decimate/trimmed_patch.h>
 #include <foldless/decimate/verdict.h>
-#include <foldless/predicates/scan_normal.h>
 #include <foldless/predicates/scan_orientation.h>
 
 #include <array>
@@ -45,20 +45,26 @@ struct ValidatorOptions {
 /// or refused. (Collins & Hilton 2002, section 5; Maggiordomo et al. 2023, section 5.2; docs/algorithm.md)
 class Validator {
 public:
-    Validator(const BaseSurface& base, const Scan& scan, const ScanTopology& topology, const ValidatorOptions& options);
+    /// Refers to both.
+    Validator(const BaseSurface& base, const PreparedScan& prepared, const ValidatorOptions& options);
 
     /// Judges the patch without touching anything. Time linear in the scan faces on the patch, for a bounded number of
     /// new faces.
     [[nodiscard]] Verdict judge(const Patch& patch);
 
-    /// What the last accepted patch would mean.
-    [[nodiscard]] const Trial& trial() const { return trial_; }
+    /// What the last patch would mean, if it was accepted. May be taken away.
+    [[nodiscard]] Trial& trial() { return trial_; }
+
+    /// Appends the base faces on which the verdict on the last patch rests besides those that it takes away: it stands
+    /// as long as none of them changes.
+    void append_read(std::vector<std::int32_t>& faces) const;
+
+    /// Patches are asked first where the one before was refused. Verdicts do not depend on it, but which of several
+    /// reasons is found first does.
+    void forget_refusals();
 
     /// The scan faces that the last call to gather() found on the faces that go.
     [[nodiscard]] const std::vector<std::int32_t>& gather(const std::vector<std::int32_t>& removed);
-
-    /// The normal of a scan face, of unit length.
-    [[nodiscard]] const ScanNormal& scan_normal(std::int32_t scan_face) const { return normals_[scan_face]; }
 
 private:
     void reset(const Patch& patch);
@@ -96,10 +102,10 @@ private:
                                      std::int32_t scan_face);
 
     const BaseSurface* base_;
+    const PreparedScan* prepared_;
     const Scan* scan_;
     const ScanTopology* topology_;
     ValidatorOptions options_;
-    std::vector<ScanNormal> normals_; ///< per scan face
 
     PatchedSurface surface_;
     PointLocation location_;
@@ -110,10 +116,8 @@ private:
     TrimmedPatch borders_;
     Trial trial_;
 
-    // Scan faces on the patch; stamps tell which belong to the current trial.
-    std::uint32_t stamp_ = 0;
-    std::vector<std::uint32_t> face_stamp_;
-    std::vector<std::int32_t> scan_faces_;
+    IndexMap gathered_;                    ///< scan faces
+    std::vector<std::int32_t> scan_faces_; ///< the same in order
     std::vector<Vec3> directions_;
     DirectionCone cone_{{}};         ///< of all directions of the new cells
     std::vector<WallPlanes> planes_; ///< of the new cells, over the displacements of the places on them

@@ -5,6 +5,7 @@
 #include <foldless/tools/exit_code.h>
 #include <foldless/tools/failure.h>
 #include <foldless/tools/info.h>
+#include <foldless/tools/large_blocks.h>
 #include <foldless/tools/repair.h>
 #include <foldless/tools/signals.h>
 #include <foldless/tools/simplify.h>
@@ -40,5 +41,6 @@ ExitCode run_program(int argc, const char* const* argv) noexcept {
 int main(int argc, char** argv) {
     foldless::open_closed_streams();
     foldless::handle_signals();
+    foldless::return_large_blocks();
     return static_cast<int>(foldless::run_program(argc, argv));
 }

@@ -70,13 +70,13 @@ double share_done(const Progress& progress) {
     return way == 0 ? 1.0 : static_cast<double>(progress.input_faces - progress.faces) / static_cast<double>(way);
 }
 
-DecimateResult decimate_with_bar(const Scan& scan, DecimateOptions options, const Console& console) {
+DecimateResult decimate_with_bar(Scan& scan, DecimateOptions options, const Console& console) {
     ProgressBar bar(console.bar_output());
     options.progress = [&](const Progress& progress) {
         bar.show("decimating", share_done(progress), fmt::format("{} faces", progress.faces));
         return true;
     };
-    return decimate(scan, options);
+    return decimate_in_place(scan, options);
 }
 
 /// One run, step by step.

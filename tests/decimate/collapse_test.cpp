@@ -229,5 +229,43 @@ TEST(GuardFaces, RefusesAFaceThatTurnsByARightAngle) {
     EXPECT_EQ(guarded({0.875, 0.5, 1}), Verdict::accepted);
 }
 
+/// Collapses one halfedge after the other, the n-th of those that OpenMesh allows, and compares all in between.
+void expect_link_condition_of_openmesh(const Scan& scan, std::size_t n) {
+    World world(scan);
+    Connectivity& mesh = world.base().connectivity();
+    const std::vector<Mobility> mobility(scan.positions.size(), Mobility::free);
+    for (;;) {
+        std::vector<OpenMesh::HalfedgeHandle> allowed;
+        for (const auto edge : mesh.edges()) {
+            Collapse collapse;
+            const Verdict verdict = make_collapse(world.base(), edge.idx(), {mobility, 1000, false}, collapse);
+            if (verdict == Verdict::boundary) {
+                continue; // not asked then
+            }
+            const bool is_ok = mesh.is_collapse_ok(collapse.halfedge);
+            ASSERT_TRUE(is_ok || verdict == Verdict::link_condition) << edge.idx();
+            // OpenMesh does not see a closed component of four faces.
+            const bool is_tetrahedron = mesh.valence(OpenMesh::VertexHandle(collapse.gone)) == 3 &&
+                                        mesh.valence(OpenMesh::VertexHandle(collapse.stays)) == 3;
+            ASSERT_TRUE(!is_ok || is_tetrahedron || verdict == Verdict::accepted) << edge.idx();
+            if (verdict == Verdict::accepted) {
+                allowed.push_back(collapse.halfedge);
+            }
+        }
+        if (allowed.empty()) {
+            return;
+        }
+        mesh.collapse(allowed[n % allowed.size()]);
+    }
+}
+
+TEST(MakeCollapse, AsksTheLinkConditionAsOpenMeshDoes) {
+    for (std::size_t n : {0, 7, 1000003}) {
+        expect_link_condition_of_openmesh(test::terrain(6, 0.1), n);
+        expect_link_condition_of_openmesh(test::torus(8, 5), n);
+        expect_link_condition_of_openmesh(test::bumpy_sphere(1), n);
+    }
+}
+
 } // namespace
 } // namespace foldless

@@ -208,6 +208,15 @@ TEST(Decimate, GivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 // Every decision is a comparison of polynomials in the coordinates, so a power of two changes none.
+TEST(Decimate, LeavesTheScanAsItWasInPlace) {
+    const Scan scan = bumpy_sphere(3);
+    Scan used = scan;
+    const DecimateResult result = decimate_in_place(used);
+    expect_same(result, decimate(scan));
+    EXPECT_TRUE(same_bytes(used.positions, scan.positions));
+    EXPECT_TRUE(same_bytes(used.faces, scan.faces));
+}
+
 TEST(Decimate, GivesTheSameFacesAtAnyPowerOfTwo) {
     const Scan scan = bumpy_sphere(3);
     const DecimateResult first = decimate(scan);

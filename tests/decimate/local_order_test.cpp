@@ -53,6 +53,15 @@ TEST(LocalOrder, SortsFacesByTheirVerticesAndKeepsTheOrderOfCorners) {
     EXPECT_EQ(in_order(scan, order).faces, (std::vector<Triangle>{{1, 2, 0}, {3, 2, 1}}));
 }
 
+TEST(LocalOrder, CanBeUndone) {
+    const Scan scan = shuffled(terrain(4, 0.1), 5);
+    const LocalOrder order = local_order(scan);
+    const Scan again = as_before(in_order(scan, order), order);
+    EXPECT_EQ(again.positions, scan.positions);
+    EXPECT_EQ(again.faces, scan.faces);
+    EXPECT_EQ(again.float32, scan.float32);
+}
+
 TEST(LocalOrder, KeepsEveryFaceWhereItIs) {
     const Scan scan = bumpy_sphere(3);
     const LocalOrder order = local_order(scan);

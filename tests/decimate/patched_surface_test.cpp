@@ -14,51 +14,6 @@ using test::World;
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
-TEST(BaseSurface, StartsAsTheScan) {
-    const Scan scan = pyramid({0.4, 0.7, 0.3});
-    const BaseSurface base(scan);
-    ASSERT_EQ(base.face_slots(), 4);
-    for (std::int32_t f = 0; f < 4; ++f) {
-        EXPECT_THAT(base.corners(f), UnorderedElementsAre(scan.faces[f][0], scan.faces[f][1], scan.faces[f][2]));
-        EXPECT_THAT(base.face(f).scan_faces, ElementsAre(f));
-    }
-    for (std::int32_t v = 0; v < 5; ++v) {
-        EXPECT_EQ(base.vertex(v).position, scan.positions[v]);
-        EXPECT_EQ(base.vertex(v).scan_vertex, v);
-        EXPECT_EQ(base.place(v).kept, v);
-    }
-}
-
-TEST(BaseSurface, KnowsTheFaceAcrossEachEdge) {
-    const Scan scan = test::torus(5, 4);
-    const BaseSurface base(scan);
-    for (std::int32_t f = 0; f < static_cast<std::int32_t>(base.face_slots()); ++f) {
-        const Triangle corners = base.corners(f);
-        for (int k = 0; k < 3; ++k) {
-            const Triangle across = base.corners(base.neighbour(f, k));
-            EXPECT_EQ(std::count(across.begin(), across.end(), corners[k]), 0);
-            EXPECT_EQ(std::count(across.begin(), across.end(), corners[(k + 1) % 3]), 1);
-            EXPECT_EQ(std::count(across.begin(), across.end(), corners[(k + 2) % 3]), 1);
-        }
-    }
-}
-
-TEST(BaseSurface, GoesAroundAVertexCounterClockwise) {
-    const BaseSurface base(test::terrain(3, 0.1));
-    std::vector<std::int32_t> around;
-    for (std::int32_t v = 0; v < static_cast<std::int32_t>(base.vertex_slots()); ++v) {
-        around.clear();
-        base.append_faces_around(v, around);
-        ASSERT_FALSE(around.empty());
-        const std::size_t steps = base.is_border_vertex(v) ? around.size() - 1 : around.size();
-        for (std::size_t n = 0; n < steps; ++n) {
-            const Triangle corners = base.corners(around[n]);
-            const auto k = std::find(corners.begin(), corners.end(), v) - corners.begin();
-            EXPECT_EQ(base.neighbour(around[n], static_cast<int>(k + 1) % 3), around[(n + 1) % around.size()]);
-        }
-    }
-}
-
 /// A flat grid of 3 * 3 cells whose middle vertex 5 (of 16) goes into 6; the rim is the star of both.
 class PatchInTheMiddle : public testing::Test {
 protected:

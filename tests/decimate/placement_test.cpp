@@ -16,7 +16,7 @@ protected:
     std::vector<Candidate> ask(Placement placement, bool keep_direction, double good_enough, bool fixed = false) {
         const Collapse collapse = world_.collapse(0, neighbour_);
         Quadric quadric = quadrics_[0];
-        quadric += quadrics_[static_cast<std::size_t>(neighbour_)];
+        quadric += quadrics_[neighbour_];
         std::vector<Candidate> found;
         candidates({&world_.base(), collapse, quadric, Vec3::Zero(), fixed, false, keep_direction, good_enough},
                    placement, found);
@@ -24,7 +24,7 @@ protected:
     }
 
     World world_{test::bumpy_sphere(2)};
-    std::vector<Quadric> quadrics_ = vertex_quadrics(world_.scan(), Vec3::Zero());
+    VertexQuadrics quadrics_{world_.scan(), world_.topology(), Vec3::Zero()};
     std::int32_t neighbour_ =
         world_.base()
             .connectivity()

@@ -3,6 +3,7 @@
 #include "made_scans.h"
 #include "validator_world.h"
 
+#include <foldless/io/float32.h>
 #include <foldless/predicates/inverse_displacement.h>
 #include <foldless/predicates/jacobian.h>
 
@@ -96,7 +97,7 @@ TEST_P(ValidatorOnSteepDirections, AcceptsNothingThatFolds) {
     while (rounds < 3000) {
         World world(random_tops(random, 0.5));
         for (const std::int32_t v : {0, 1, 2, 3}) {
-            world.base().vertex(v).direction = Vec3(0, 0, 1) + random.vector(GetParam());
+            world.base().set_direction(v, to_float32(Vec3(Vec3(0, 0, 1) + random.vector(GetParam()))));
         }
         Patch patch = world.replacing_all({{0, 1, 2}, {0, 2, 3}});
         patch.changed = {moved(4, world.scan().positions[4]), moved(5, world.scan().positions[5])};

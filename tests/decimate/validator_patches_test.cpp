@@ -192,9 +192,11 @@ TEST(Validator, TouchesNothing) {
 
 TEST(Validator, GathersEveryScanFaceOnce) {
     World world(pyramid({0.4, 0.7, 0.3}));
-    world.base().face(0).scan_faces = {0, 1, 2};
-    world.base().face(1).scan_faces = {1, 3};
-    Validator validator(world.base(), world.scan(), world.topology(), {});
+    const std::vector<std::int32_t> first{0, 1, 2};
+    const std::vector<std::int32_t> second{1, 3};
+    world.base().set_face(0, {{0.0, 0.0}, first, -1, false});
+    world.base().set_face(1, {{0.0, 0.0}, second, -1, false});
+    Validator validator(world.base(), world.prepared(), {});
     EXPECT_THAT(validator.gather({0, 1}), testing::UnorderedElementsAre(0, 1, 2, 3));
     EXPECT_THAT(validator.gather({1}), testing::UnorderedElementsAre(1, 3));
 }

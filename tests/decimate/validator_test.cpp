@@ -10,6 +10,8 @@
 #include "made_scans.h"
 #include "validator_world.h"
 
+#include <foldless/io/float32.h>
+
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -97,7 +99,7 @@ TEST(Validator, RefusesAVertexBeyondTheFold) {
     for (const auto& [height, verdict] : {std::pair{0.75, Verdict::accepted}, std::pair{1.25, Verdict::no_preimage}}) {
         World world(pyramid({0.55, 0.45, height}));
         for (const std::int32_t v : {0, 1, 2, 3}) {
-            world.base().vertex(v).direction = Vec3(0.5, 0.5, 1) - world.scan().positions[v];
+            world.base().set_direction(v, Vec3(0.5, 0.5, 1) - world.scan().positions[v]);
         }
         EXPECT_EQ(world.judge(flattened(world)), verdict) << height;
     }
@@ -210,7 +212,7 @@ Verdict judge_channel(double q, Uniqueness uniqueness) {
     World world(channel(q));
     const std::vector<Vec3> directions{{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {-1, 0, 1}, {-1, 0, 1}, {-1, 0, 0}};
     for (std::size_t v = 0; v < directions.size(); ++v) {
-        world.base().vertex(static_cast<std::int32_t>(v)).direction = directions[v];
+        world.base().set_direction(static_cast<std::int32_t>(v), directions[v]);
     }
     Patch patch;
     patch.removed = {0, 1, 2, 3, 4, 5};
@@ -252,7 +254,7 @@ protected:
     }
 
     /// The base face outside the second patch that has the edge B-E.
-    BaseFace& beside() {
+    std::int32_t beside() {
         for (std::int32_t f = 0; f < 8; ++f) {
             const auto handle = OpenMesh::FaceHandle(f);
             const Triangle corners = world_.base().corners(f);
@@ -260,10 +262,18 @@ protected:
                 return std::find(corners.begin(), corners.end(), v) != corners.end();
             };
             if (!world_.base().connectivity().status(handle).deleted() && has(1) && has(4) && !has(6)) {
-                return world_.base().face(f);
+                return f;
             }
         }
         throw std::logic_error("no face beside the edge B-E");
+    }
+
+    void set_range_beside(const Range& range) {
+        BaseFace face = world_.base().face(beside());
+        const std::vector<std::int32_t> scan_faces(face.scan_faces.begin(), face.scan_faces.end());
+        face.range = range;
+        face.scan_faces = scan_faces;
+        world_.base().set_face(beside(), face);
     }
 
     Verdict judge_left() { return world_.judge(world_.collapse_patch(6, 0)); }
@@ -278,16 +288,16 @@ TEST_F(BesideABaseFace, FollowsScanEdgesIntoIt) {
 }
 
 TEST_F(BesideABaseFace, RefusesADisplacementOutsideItsRange) {
-    const Range range = beside().range;
+    const Range range = world_.base().face(beside()).range;
     EXPECT_NEAR(range.hi, 0.3, 1e-7); // where the edge P-Q passes over B-E
-    beside().range = {0.0, 0.29};
+    set_range_beside({0.0, to_float32(0.29)});
     EXPECT_EQ(judge_left(), Verdict::out_of_range);
-    beside().range = {0.0, 0.31};
+    set_range_beside({0.0, to_float32(0.31)});
     EXPECT_EQ(judge_left(), Verdict::accepted);
 }
 
 TEST_F(BesideABaseFace, EntersNoFaceThatRepresentsItself) {
-    beside().is_scan_face = true;
+    world_.base().set_face(beside(), {{0.0, 0.0}, {}, -1, true});
     EXPECT_EQ(judge_left(), Verdict::no_preimage);
 }
 

@@ -30,18 +30,19 @@ namespace foldless::test {
 class World {
 public:
     explicit World(Scan scan, const Vec3& direction = Vec3::UnitZ())
-        : scan_(std::move(scan)), topology_(scan_), base_(scan_) {
+        : scan_(std::move(scan)), prepared_(scan_), base_(scan_) {
         for (std::size_t v = 0; v < base_.vertex_slots(); ++v) {
-            base_.vertex(static_cast<std::int32_t>(v)).direction = direction;
+            base_.set_direction(static_cast<std::int32_t>(v), direction);
         }
     }
 
     [[nodiscard]] const Scan& scan() const { return scan_; }
-    [[nodiscard]] const ScanTopology& topology() const { return topology_; }
+    [[nodiscard]] const PreparedScan& prepared() const { return prepared_; }
+    [[nodiscard]] const ScanTopology& topology() const { return prepared_.topology(); }
     [[nodiscard]] BaseSurface& base() { return base_; }
 
     [[nodiscard]] Verdict judge(const Patch& patch, const ValidatorOptions& options = {}) {
-        Validator validator(base_, scan_, topology_, options);
+        Validator validator(base_, prepared_, options);
         const Verdict verdict = validator.judge(patch);
         trial_ = validator.trial();
         return verdict;
@@ -95,7 +96,7 @@ public:
 
 private:
     Scan scan_;
-    ScanTopology topology_;
+    PreparedScan prepared_;
     BaseSurface base_;
     Trial trial_;
 };

@@ -24,19 +24,24 @@ inline thread_local std::size_t worker = 0;
 /// How many threads the loops of the calling thread may take.
 inline thread_local std::size_t allowed = std::thread::hardware_concurrency();
 
-/// Calls part(k) for 0 <= k < parts, neighbours from different threads: as many as are allowed, at least two. Rethrows
-/// one of the exceptions. \pre loops are not nested
+/// Of a loop that the calling thread starts: as many as are allowed, at least two.
+inline std::size_t workers() {
+    return std::clamp<std::size_t>(allowed, 2, most_workers);
+}
+
+/// Calls part(k) for 0 <= k < parts, neighbours from different threads. Rethrows one of the exceptions. \pre loops are
+/// not nested
 template <class Part>
 void run(std::size_t parts, const Part& part) {
     assert(worker == 0);
-    const std::size_t workers = std::clamp<std::size_t>(allowed, 2, most_workers);
-    std::vector<std::exception_ptr> failures(workers);
+    const std::size_t count = workers();
+    std::vector<std::exception_ptr> failures(count);
     std::vector<std::thread> threads;
-    for (std::size_t w = 0; w < workers; ++w) {
+    for (std::size_t w = 0; w < count; ++w) {
         threads.emplace_back([&, w] {
             worker = w + 1;
             try {
-                for (std::size_t k = w; k < parts; k += workers) {
+                for (std::size_t k = w; k < parts; k += count) {
                     part(k);
                 }
             } catch (...) {

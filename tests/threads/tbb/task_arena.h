@@ -36,4 +36,17 @@ private:
     std::size_t threads_;
 };
 
+namespace this_task_arena {
+
+/// More than current_thread_index() ever is.
+inline int max_concurrency() {
+    return stand_in::allowed == 1 ? 1 : 1 + static_cast<int>(stand_in::workers());
+}
+
+inline int current_thread_index() {
+    return static_cast<int>(stand_in::worker);
+}
+
+} // namespace this_task_arena
+
 } // namespace tbb
