@@ -54,6 +54,16 @@ void AnswersAhead::about_to_change(const Patch& patch) {
     }
 }
 
+void AnswersAhead::forget() {
+    for (Slot& slot : slots_) {
+        slot.edge = -1;
+    }
+    if (!changed_at_.empty()) {
+        changed_at_.assign(state_.base->face_slots(), changes_); // what is asked from now on stands
+        changed_at_.shrink_to_fit();
+    }
+}
+
 AnswersAhead::Slot* AnswersAhead::find(std::int32_t edge) {
     const auto slot = std::find_if(slots_.begin(), slots_.end(), [edge](const Slot& s) { return s.edge == edge; });
     return slot != slots_.end() && stands(*slot) ? &*slot : nullptr;

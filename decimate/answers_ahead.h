@@ -27,6 +27,9 @@ public:
     /// Must be told of every patch before it is carried out.
     void about_to_change(const Patch& patch);
 
+    /// Must be told when faces and edges have new numbers: no answer stands.
+    void forget();
+
 private:
     struct Slot {
         std::int32_t edge = -1;

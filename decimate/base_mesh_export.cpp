@@ -30,15 +30,20 @@ std::vector<std::int32_t> number(const std::vector<std::int32_t>& order, std::ve
 Survivors survivors_of(const BaseSurface& surface, const LocalOrder& order) {
     Survivors left;
     left.vertex_numbers.assign(surface.vertex_slots(), -1);
-    left.face_numbers.assign(surface.face_slots(), -1);
     for (const auto face : surface.connectivity().faces()) {
-        left.face_numbers[face.idx()] = 0;
+        left.faces.push_back(face.idx());
         for (const std::int32_t v : surface.corners(face.idx())) {
             left.vertex_numbers[v] = 0;
         }
     }
     left.vertices = number(order.vertices, left.vertex_numbers);
-    left.faces = number(order.faces, left.face_numbers);
+    const auto written = [&](std::int32_t f) { return order.faces[surface.first_number(f)]; };
+    std::sort(left.faces.begin(), left.faces.end(),
+              [&](std::int32_t a, std::int32_t b) { return written(a) < written(b); });
+    left.face_numbers.assign(surface.face_slots(), -1);
+    for (std::size_t n = 0; n < left.faces.size(); ++n) {
+        left.face_numbers[left.faces[n]] = static_cast<std::int32_t>(n);
+    }
     return left;
 }
 

@@ -4,6 +4,7 @@
 
 #include <foldless/decimate/list_store.h>
 #include <foldless/decimate/pool.h>
+#include <foldless/decimate/renumbering.h>
 #include <foldless/io/base_mesh.h>
 #include <foldless/io/scan.h>
 #include <foldless/predicates/vector.h>
@@ -50,7 +51,8 @@ struct Place {
 };
 
 /// The base mesh, its faces' scan faces, and the places of the scan vertices. Starts as the scan itself: vertex and
-/// face indices are those of the scan and stay valid for what survives.
+/// face indices are those of the scan. Those of vertices stay valid for what survives, those of faces and edges until
+/// close_gaps().
 ///
 /// What the scan says of a vertex or face is not stored again: positions of vertices that have not moved, the list of
 /// scan faces of a face that is its own, places of kept vertices. What is asked for comes by value; a list of scan
@@ -61,8 +63,8 @@ public:
     explicit BaseSurface(const Scan& scan);
     explicit BaseSurface(Scan&&) = delete;
 
-    [[nodiscard]] const Connectivity& connectivity() const { return connectivity_; }
-    [[nodiscard]] Connectivity& connectivity() { return connectivity_; }
+    [[nodiscard]] const Connectivity& connectivity() const { return *connectivity_; }
+    [[nodiscard]] Connectivity& connectivity() { return *connectivity_; }
 
     [[nodiscard]] BaseVertex vertex(std::int32_t v) const {
         const StoredVertex& stored = vertices_[v];
@@ -112,6 +114,15 @@ public:
     [[nodiscard]] std::int32_t any_face_around(std::int32_t v) const;
     [[nodiscard]] bool is_border_vertex(std::int32_t v) const;
 
+    /// Forgets faces and edges that are gone, and gives those that are left the new numbers, which are those of
+    /// number_what_is_left(). Time linear in the scan. While it works
+    /// it takes up to 66 bytes for each face that is left.
+    void close_gaps(const Renumbering& numbers);
+    /// The number that a face had at the start.
+    [[nodiscard]] std::int32_t first_number(std::int32_t f) const {
+        return first_numbers_.empty() ? f : first_numbers_[f];
+    }
+
     [[nodiscard]] std::size_t face_slots() const { return faces_.size(); }
     [[nodiscard]] std::size_t vertex_slots() const { return vertices_.size(); }
 
@@ -125,7 +136,7 @@ private:
     struct StoredFace {
         std::array<float, 2> range{};
         std::int32_t first_vertex = own_scan_face; ///< that, or -1, or a vertex
-        std::int32_t list = no_list;               ///< in lists_; the index of its own scan face
+        std::int32_t list = no_list;               ///< in lists_; the number of its own scan face
     };
     static constexpr std::int32_t own_scan_face = -2;
     static constexpr std::int32_t no_list = -1;
@@ -141,12 +152,14 @@ private:
 
     void set_position(std::int32_t v, const Vec3& position);
     void release_position(std::int32_t v);
+    void renumber_faces(const NewNumbers& numbers);
 
     const Scan* scan_;
-    Connectivity connectivity_;
+    std::unique_ptr<Connectivity> connectivity_;
     std::vector<StoredVertex> vertices_;
     Pool<Vec3> moved_; ///< positions of vertices that are not where they were in the scan
     std::vector<StoredFace> faces_;
+    std::vector<std::int32_t> first_numbers_;    ///< per face; none while they are those of now
     ListStore lists_;                            ///< the scan faces of all faces that are not their own
     std::vector<Link> links_;                    ///< per scan vertex
     std::unique_ptr<Coordinates[]> coordinates_; ///< per scan vertex; set where it is not kept

@@ -24,6 +24,9 @@ constexpr std::size_t check_interval = 64;
 /// is left: less than most displacements that are left at the end.
 constexpr double good_enough = 2e-3;
 
+/// Gaps are closed when one of so many faces is left. Sooner, the new arrays take more beside the old ones.
+constexpr std::size_t gaps_close_at = 4;
+
 Vec3 origin_of_quadrics(const Scan& scan) {
     return scan.positions[scan.faces[0][0]];
 }
@@ -61,7 +64,7 @@ void Decimator::find_directions() {
             star.clear();
             for (const std::int32_t f : prepared_.topology().faces_around(v)) {
                 const Triangle& face = scan_->faces[f];
-                normals.push_back(prepared_.normal(f).value());
+                normals.push_back(prepared_.unit_normal(f));
                 star.push_back(from_corner(face, prepared_.triangle(f), v));
             }
             const std::optional<Vec3> visible = most_visible_direction(normals);
@@ -104,7 +107,7 @@ void Decimator::freeze_faces_at(std::int32_t v, std::vector<char>& frozen) {
     std::vector<Vec3> normals;
     normals.reserve(faces.size());
     for (const std::int32_t f : faces) {
-        normals.push_back(prepared_.normal(f).value());
+        normals.push_back(prepared_.unit_normal(f));
     }
     const ServedRun run = longest_served_run(normals, !base_.is_border_vertex(v));
     base_.set_direction(v, stored_direction(run.direction));
@@ -171,6 +174,18 @@ void Decimator::commit(const EdgeAnswer& answer) {
     quadrics_.merge(answer.collapse.stays, answer.collapse.gone);
     face_count_ -= answer.patch.removed.size() - answer.patch.added.size();
     requeue(base_, answer.collapse.stays, edges_, queue_);
+    if (face_count_ <= base_.face_slots() / gaps_close_at) {
+        close_gaps();
+    }
+}
+
+/// What is left of the base mesh keeps its order: it makes no difference but in memory, the most of which is needed in
+/// the end, for patches that hold much of the scan.
+void Decimator::close_gaps() {
+    const Renumbering numbers = number_what_is_left(base_.connectivity());
+    queue_.renumber(numbers.edges);
+    base_.close_gaps(numbers);
+    answers_->forget();
 }
 
 } // namespace foldless

@@ -40,6 +40,7 @@ private:
 
     void count(const EdgeAnswer& answer);
     void commit(const EdgeAnswer& answer);
+    void close_gaps();
     [[nodiscard]] std::optional<StopReason> interrupted();
 
     const Scan* scan_;

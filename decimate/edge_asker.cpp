@@ -1,5 +1,6 @@
 #include <foldless/decimate/edge_asker.h>
 
+#include <foldless/decimate/scratch.h>
 #include <foldless/decimate/vertex_directions.h>
 #include <foldless/predicates/visible_direction.h>
 
@@ -31,6 +32,7 @@ void EdgeAsker::ask(std::int32_t edge, EdgeAnswer& answer) {
     answer.refused_between_vertices = 0;
     answer.retested_vertices = 0;
     answer.read.clear();
+    answer.trial.clear();
     survivor_is_known_ = false;
     validator_.forget_refusals();
     const Verdict verdict = ask_candidates(edge);
@@ -195,12 +197,13 @@ std::optional<Vec3> EdgeAsker::visible_direction_of(std::int32_t v) {
         }
     }
     const std::vector<std::int32_t>& scan_faces = validator_.gather(star_faces_);
-    normals_.clear();
     normals_.reserve(scan_faces.size()); // the last patches hold much of the scan
     for (const std::int32_t f : scan_faces) {
-        normals_.push_back(state_.scan->normal(f).value());
+        normals_.push_back(state_.scan->unit_normal(f));
     }
-    return most_visible_direction(normals_);
+    std::optional<Vec3> direction = most_visible_direction(normals_);
+    clear_scratch(normals_);
+    return direction;
 }
 
 bool EdgeAsker::is_frozen(std::int32_t face) const {

@@ -96,6 +96,23 @@ void EdgeQueue::wake(std::int32_t edge) {
     }
 }
 
+void EdgeQueue::renumber(const NewNumbers& numbers) {
+    std::erase_if(start_, [&](std::int32_t edge) { return states_[edge].stamp != 0; });
+    std::erase_if(queue_, [&](const Entry& entry) { return is_stale(entry); });
+    std::erase_if(ahead_, [&](const Entry& entry) { return is_stale(entry); });
+    for (std::int32_t& edge : start_) {
+        edge = numbers[edge];
+    }
+    for (std::vector<Entry>* entries : {&queue_, &ahead_}) {
+        for (Entry& entry : *entries) {
+            entry.edge = numbers[entry.edge];
+        }
+    }
+    std::make_heap(queue_.begin(), queue_.end(), std::greater<>());
+    foldless::renumber(states_, numbers);
+    start_.shrink_to_fit();
+}
+
 /// The next entry but for those that were looked at, or null.
 const EdgeQueue::Entry* EdgeQueue::first_in_queue() {
     enter_from_start();

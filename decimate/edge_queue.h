@@ -2,6 +2,8 @@
 /// The order in which edges are asked: shortest first, refused ones last.
 #pragma once
 
+#include <foldless/decimate/renumbering.h>
+
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -31,6 +33,9 @@ public:
     void wake(std::int32_t edge);
     /// Remembers that the edge, just popped, was refused.
     void refuse(std::int32_t edge) { states_[edge].refused = 1; }
+
+    /// Gives the edges that are left new numbers, in the same order. Linear time.
+    void renumber(const NewNumbers& numbers);
 
     /// Appends the next edges to ask, in order, `count` of them if there are as many. They stay in the queue.
     void look_ahead(std::size_t count, std::vector<std::int32_t>& out);

@@ -8,12 +8,15 @@
 
 namespace foldless {
 
-/// A map from indices to numbers that is cleared in no time and keeps its memory: for what is known of the vertices and
+/// A map from indices to numbers that is cleared in no time: for what is known of the vertices and
 /// faces around one place, where an array over all of them would be too large, and mostly far away in memory.
 class IndexMap {
 public:
-    /// Forgets all.
+    /// Forgets all, and gives back its memory if that is much.
     void clear();
+
+    /// Memory for so many indices.
+    void reserve(std::size_t indices);
 
     /// The number of an index that is not negative, or -1 if it has none. Constant time.
     [[nodiscard]] std::int32_t find(std::int32_t index) const {
@@ -35,6 +38,7 @@ private:
         std::int32_t number = -1;
     };
     static constexpr std::size_t smallest = 64;
+    static constexpr std::size_t largest_kept = 65536; ///< when all is forgotten
 
     /// Where the index is, or the free place where it would be: open addressing, at most half full.
     [[nodiscard]] std::size_t place_of(std::int32_t index) const {
@@ -45,7 +49,7 @@ private:
         }
         return place;
     }
-    void grow();
+    void resize(std::size_t slots);
 
     std::vector<Slot> slots_ = std::vector<Slot>(smallest); ///< their number is a power of two
     int shift_ = 32 - 6;                                    ///< of 32 bits, those that number them are left

@@ -25,6 +25,12 @@ void ListStore::give_back_room() {
     }
 }
 
+void ListStore::renumber_owners(const NewNumbers& numbers) {
+    for (std::size_t at = 0; at < data_.size(); at += size_of(data_[at + 1])) {
+        data_[at] = data_[at] == no_owner ? no_owner : numbers[data_[at]];
+    }
+}
+
 void ListStore::remove(ListHandle list) {
     std::int32_t* head = data_.data() + unit * static_cast<std::size_t>(list);
     head[0] = no_owner;

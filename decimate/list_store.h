@@ -2,6 +2,8 @@
 /// Lists of numbers of many owners, side by side in one array.
 #pragma once
 
+#include <foldless/decimate/renumbering.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +34,9 @@ public:
     }
 
     void remove(ListHandle list);
+
+    /// Gives the owners new numbers. Time linear in the size of the store.
+    void renumber_owners(const NewNumbers& numbers);
 
     /// Whether an eighth of the store or more is removed lists.
     [[nodiscard]] bool is_wasteful() const { return removed_ > least_waste && removed_ >= data_.size() / 8; }

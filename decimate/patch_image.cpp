@@ -1,5 +1,7 @@
 #include <foldless/decimate/patch_image.h>
 
+#include <foldless/decimate/scratch.h>
+
 #include <optional>
 
 namespace foldless {
@@ -10,11 +12,20 @@ PatchImage::PatchImage(const Scan& scan, const ScanTopology& topology, bool cons
 void PatchImage::reset(PatchedSurface& surface, PatchRanges& ranges) {
     surface_ = &surface;
     ranges_ = &ranges;
-    moved_.clear();
-    ordered_.clear();
-    lifts_.clear();
     orders_used_ = 0;
+    ordered_.clear();
+    clear();
+}
+
+void PatchImage::clear() {
+    moved_.clear();
+    clear_scratch(lifts_);
     traces_.clear();
+}
+
+void PatchImage::reserve(std::size_t places) {
+    moved_.reserve(places);
+    lifts_.reserve(places);
 }
 
 void PatchImage::add(std::int32_t scan_vertex, const Lift& lift) {

@@ -45,6 +45,11 @@ public:
     /// Nothing has a new place yet, no fan is ordered, no edge followed.
     void reset(PatchedSurface& surface, PatchRanges& ranges);
 
+    /// Forgets the places and the traces, and gives back their room if that is much.
+    void clear();
+
+    /// Room for so many places.
+    void reserve(std::size_t places);
     void add(std::int32_t scan_vertex, const Lift& lift);
     [[nodiscard]] const std::vector<NewLift>& lifts() const { return lifts_; }
     /// Into lifts(), or -1 if the vertex has no new place.

@@ -4,6 +4,7 @@
 
 #include <foldless/decimate/scan_topology.h>
 #include <foldless/io/scan.h>
+#include <foldless/predicates/coarse_normal.h>
 #include <foldless/predicates/scan_normal.h>
 
 #include <cstdint>
@@ -19,8 +20,10 @@ public:
 
     [[nodiscard]] const Scan& scan() const { return *scan_; }
     [[nodiscard]] const ScanTopology& topology() const { return topology_; }
-    /// The normal of a scan face, of unit length.
-    [[nodiscard]] const ScanNormal& normal(std::int32_t face) const { return normals_[face]; }
+    /// The normal of a scan face, coarsely, but with a bound on its error.
+    [[nodiscard]] ScanNormal normal(std::int32_t face) const { return normals_[face].value(); }
+    /// The same to the last digits, of unit length; zero if the face has no area.
+    [[nodiscard]] Vec3 unit_normal(std::int32_t face) const { return ScanNormal(triangle(face)).normalised().value(); }
 
     /// The positions of the corners of a face.
     [[nodiscard]] ScanTriangle triangle(std::int32_t face) const {
@@ -31,7 +34,7 @@ public:
 private:
     const Scan* scan_;
     ScanTopology topology_;
-    std::vector<ScanNormal> normals_; ///< per face
+    std::vector<CoarseNormal> normals_; ///< per face
 };
 
 } // namespace foldless

@@ -2,6 +2,7 @@
 /// What accepting a patch would mean.
 #pragma once
 
+#include <foldless/decimate/scratch.h>
 #include <foldless/predicates/vector.h>
 
 #include <cstddef>
@@ -23,10 +24,22 @@ struct Trial {
         Vec3 alpha;
         double t;
     };
+    /// Forgets the places and the scan faces, which may take much room.
+    void clear();
+
     std::vector<NewFace> faces;   ///< one per face of the patch that comes
     std::vector<NewPlace> places; ///< every scan vertex on the patch that is not kept
     std::size_t retested = 0;     ///< inversions asked
     bool vertices_pass = false;   ///< each has a place, with N.n > 0; not with constant directions
 };
+
+inline void Trial::clear() {
+    for (NewFace& face : faces) {
+        clear_scratch(face.scan_faces);
+    }
+    clear_scratch(places);
+    retested = 0;
+    vertices_pass = false;
+}
 
 } // namespace foldless

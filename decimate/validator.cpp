@@ -1,5 +1,6 @@
 #include <foldless/decimate/validator.h>
 
+#include <foldless/decimate/scratch.h>
 #include <foldless/predicates/jacobian.h>
 #include <foldless/predicates/prismoid_line.h>
 #include <foldless/predicates/prismoid_point.h>
@@ -10,18 +11,27 @@
 #include <limits>
 
 namespace foldless {
+namespace {
+
+/// On a patch with more, vertices are counted before they are located: vectors that grow by doubling would take up to
+/// three times the room that is needed.
+constexpr std::size_t many_scan_faces = 10000;
+
+} // namespace
 
 Validator::Validator(const BaseSurface& base, const PreparedScan& prepared, const ValidatorOptions& options)
     : base_(&base), prepared_(&prepared), scan_(&prepared.scan()), topology_(&prepared.topology()), options_(options),
       surface_(base), image_(*scan_, *topology_, options.constant_directions), beside_(*scan_),
-      borders_(*scan_, *topology_) {}
+      borders_(*scan_, *topology_), gathered_(scan_->faces.size()) {}
 
 const std::vector<std::int32_t>& Validator::gather(const std::vector<std::int32_t>& removed) {
-    gathered_.clear();
-    scan_faces_.clear();
+    for (const std::int32_t f : scan_faces_) {
+        gathered_.unmark(f);
+    }
+    clear_scratch(scan_faces_);
     for (const std::int32_t face : removed) {
         for (const std::int32_t f : base_->face(face).scan_faces) {
-            if (gathered_.insert(f)) {
+            if (gathered_.mark(f)) {
                 scan_faces_.push_back(f);
             }
         }
@@ -40,6 +50,22 @@ void Validator::forget_refusals() {
 
 Verdict Validator::judge(const Patch& patch) {
     reset(patch);
+    const Verdict verdict = judge_reset(patch);
+    if (verdict == Verdict::accepted) {
+        note_places();
+    }
+    image_.clear();
+    return verdict;
+}
+
+void Validator::note_places() {
+    trial_.places.reserve(image_.lifts().size());
+    for (const auto& [scan_vertex, lift] : image_.lifts()) {
+        trial_.places.push_back({scan_vertex, lift.cell, lift.at.alpha, lift.at.t});
+    }
+}
+
+Verdict Validator::judge_reset(const Patch& patch) {
     Verdict verdict = judge_vertices(patch);
     trial_.vertices_pass = verdict == Verdict::accepted && !options_.constant_directions;
     if (verdict == Verdict::accepted) {
@@ -63,13 +89,11 @@ void Validator::reset(const Patch& patch) {
     ranges_.reset(surface_);
     image_.reset(surface_, ranges_);
     const std::size_t count = patch.added.size();
+    trial_.clear();
     trial_.faces.resize(count);
     for (std::size_t c = 0; c < count; ++c) {
-        trial_.faces[c].scan_faces.clear();
         trial_.faces[c].is_scan_face = surface_.cell(static_cast<int>(c)).impassable;
     }
-    trial_.places.clear();
-    trial_.retested = 0;
 }
 
 Verdict Validator::judge_vertices(const Patch& patch) {
@@ -106,6 +130,9 @@ Verdict Validator::ask_witness() {
 
 Verdict Validator::locate_vertices(const Patch& patch) {
     alternatives_.clear();
+    if (scan_faces_.size() > many_scan_faces) {
+        image_.reserve(vertices_on(patch));
+    }
     for (const std::int32_t face : patch.removed) {
         for (std::int32_t v = base_->face(face).first_vertex; v >= 0; v = base_->next_on_face(v)) {
             const Verdict verdict = locate_vertex(v);
@@ -125,6 +152,17 @@ Verdict Validator::locate_vertices(const Patch& patch) {
         }
     }
     return Verdict::accepted;
+}
+
+/// As many as get a new place, if all do.
+std::size_t Validator::vertices_on(const Patch& patch) const {
+    std::size_t count = patch.changed.size();
+    for (const std::int32_t face : patch.removed) {
+        for (std::int32_t v = base_->face(face).first_vertex; v >= 0; v = base_->next_on_face(v)) {
+            ++count;
+        }
+    }
+    return count;
 }
 
 Verdict Validator::find_place(std::int32_t v, Lift& lift) {
@@ -160,7 +198,6 @@ Verdict Validator::locate_vertex(std::int32_t v) {
         alternatives_.emplace_back(v, other);
     }
     image_.add(v, lift);
-    trial_.places.push_back({v, lift.cell, lift.at.alpha, lift.at.t});
     const Displacement t = lift.point(surface_.cell(lift.cell).triangle, scan_->positions[v]).t;
     Verdict reached = ranges_.reach(lift.cell, t);
     for (int k = 0; k < 3 && reached == Verdict::accepted; ++k) {
@@ -348,7 +385,7 @@ Verdict Validator::test_face(std::int32_t scan_face) {
         return Verdict::no_preimage;
     }
     const ScanTriangle q = prepared_->triangle(scan_face);
-    const ScanNormal& normal = prepared_->normal(scan_face);
+    const ScanNormal normal(q);
     Verdict verdict = test_kept_corners(q, corners, normal);
     if (verdict != Verdict::accepted) {
         return verdict;
@@ -402,7 +439,7 @@ Verdict Validator::test_constant(std::int32_t scan_face, const std::array<Corner
         }
         // Seen along one direction, a triangle keeps its orientation exactly where N.n > 0.
         touch(c, scan_face);
-        return verdict_of(prepared_->normal(scan_face).seen_along(surface_.cell(c).triangle.d[0]),
+        return verdict_of(seen_along(surface_.cell(c).triangle.d[0], prepared_->triangle(scan_face)),
                           Verdict::normal_condition);
     }
     return Verdict::no_preimage;
@@ -439,7 +476,7 @@ Verdict Validator::test_spanning(const ScanTriangle& q, const std::array<Corner,
 }
 
 Verdict Validator::test_crossings(const ScanTriangle& q, const ScanNormal& normal) const {
-    const bool seen_by_all = cone_.sees(normal);
+    const bool seen_by_all = cone_.sees(normal.normalised());
     for (const TraceCrossing& crossing : crossings_) {
         if (seen_by_all && std::min(crossing.from, crossing.to) < surface_.new_cells()) {
             continue;

@@ -5,7 +5,7 @@
 #include <foldless/decimate/direction_cone.h>
 #include <foldless/decimate/edge_trace.h>
 #include <foldless/decimate/faces_beside.h>
-#include <foldless/decimate/index_map.h>
+#include <foldless/decimate/marks.h>
 #include <foldless/decimate/patch_image.h>
 #include <foldless/decimate/patch_ranges.h>
 #include <foldless/decimate/patched_surface.h>
@@ -68,10 +68,12 @@ public:
 
 private:
     void reset(const Patch& patch);
+    [[nodiscard]] Verdict judge_reset(const Patch& patch);
     [[nodiscard]] Verdict judge_vertices(const Patch& patch);
     [[nodiscard]] Verdict judge_faces(const Patch& patch);
     [[nodiscard]] Verdict ask_witness();
     [[nodiscard]] Verdict locate_vertices(const Patch& patch);
+    [[nodiscard]] std::size_t vertices_on(const Patch& patch) const;
     [[nodiscard]] Verdict locate_vertex(std::int32_t v);
     [[nodiscard]] Verdict find_place(std::int32_t v, Lift& lift);
     [[nodiscard]] Verdict test_normals_at(std::int32_t v, const Lift& lift) const;
@@ -97,6 +99,7 @@ private:
     [[nodiscard]] int common_cell(const std::array<Corner, 3>& corners) const;
     [[nodiscard]] Verdict stays_in(int cell, const std::array<Corner, 3>& corners) const;
     void touch(int cell, std::int32_t scan_face);
+    void note_places();
     /// The cells between two scan edges that leave a kept vertex; false if one is impassable.
     [[nodiscard]] bool touch_between(const FanOrder& order, std::int32_t first, std::int32_t second,
                                      std::int32_t scan_face);
@@ -116,8 +119,8 @@ private:
     TrimmedPatch borders_;
     Trial trial_;
 
-    IndexMap gathered_;                    ///< scan faces
-    std::vector<std::int32_t> scan_faces_; ///< the same in order
+    std::vector<std::int32_t> scan_faces_; ///< that were gathered
+    Marks gathered_;                       ///< on each of them
     std::vector<Vec3> directions_;
     DirectionCone cone_{{}};         ///< of all directions of the new cells
     std::vector<WallPlanes> planes_; ///< of the new cells, over the displacements of the places on them

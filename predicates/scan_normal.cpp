@@ -9,23 +9,6 @@
 #include <type_traits>
 
 namespace foldless {
-namespace {
-
-/// Of a cross product of two edges of these sizes, a difference of two products of two differences: four roundings on
-/// at most 2 |e1| |e2| in all; 9 instead of 8 covers the second-order terms.
-double component_error(double e1, double e2) {
-    return std::min(e1, e2) >= least_length ? 9 * unit_roundoff * e1 * e2 : std::numeric_limits<double>::infinity();
-}
-
-} // namespace
-
-ScanNormal::ScanNormal(const Vec3& n, double component_error)
-    // Three products and two sums round the dot product by at most 3 units of sum |d_k n_k|.
-    : n_(n), dot_error_(component_error + 4 * unit_roundoff * max_norm(n)) {}
-
-ScanNormal::ScanNormal(const ScanTriangle& triangle)
-    : ScanNormal((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]),
-                 component_error(max_norm(triangle[1] - triangle[0]), max_norm(triangle[2] - triangle[0]))) {}
 
 ScanNormal ScanNormal::none() {
     return {Vec3::Zero(), std::numeric_limits<double>::infinity()};
@@ -36,12 +19,14 @@ ScanNormal ScanNormal::normalised() const {
     if (!(size > 0) || !std::isfinite(size)) {
         return none();
     }
-    // A power of two, so that no square leaves the range of doubles; of all else it changes nothing.
-    const int exponent = std::ilogb(size);
-    const Vec3 scaled = n_.unaryExpr([&](double component) { return std::ldexp(component, -exponent); });
-    const double length = scaled.norm();
-    // One rounding in each quotient; what the bound holds beside the error of the components only adds to it.
-    return {scaled / length, std::ldexp(dot_error_, -exponent) / length + unit_roundoff};
+    // By a power of two, so that no square leaves the range of doubles; of all else it changes nothing.
+    const bool has_squares = 0x1p-300 < size && size < 0x1p300;
+    const int exponent = has_squares ? 0 : std::ilogb(size);
+    const auto scaled = [&](double number) { return has_squares ? number : std::ldexp(number, -exponent); };
+    const Vec3 n = n_.unaryExpr(scaled);
+    const double inverse_length = 1 / n.norm();
+    // Two roundings in each component, which is at most 1, and 4 in a dot product.
+    return {n * inverse_length, scaled(dot_error_) * inverse_length + 7 * unit_roundoff};
 }
 
 Sign seen_along(const Vec3& d, const ScanTriangle& triangle) {

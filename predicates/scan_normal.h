@@ -7,12 +7,16 @@
 #include <foldless/predicates/sign.h>
 #include <foldless/predicates/vector.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace foldless {
 
 /// n = (q1 - q0) x (q2 - q0), or that divided by a positive number, with a bound on its error. 32 bytes.
 class ScanNormal {
 public:
-    explicit ScanNormal(const ScanTriangle& triangle);
+    explicit ScanNormal(const ScanTriangle& triangle)
+        : ScanNormal(triangle[1] - triangle[0], triangle[2] - triangle[0]) {}
 
     /// Of no triangle: all signs undecided.
     [[nodiscard]] static ScanNormal none();
@@ -30,8 +34,18 @@ public:
     /// The sign of d.n from plain doubles and their error bound.
     [[nodiscard]] Sign seen_along(const Vec3& d) const { return sign_within(d.dot(n_), error(d)); }
 
+    /// A normal of which d.dot(n) is off by at most sum_norm(d) dot_error, beside underflow.
+    ScanNormal(const Vec3& n, double dot_error) : n_(n), dot_error_(dot_error) {}
+
 private:
-    ScanNormal(const Vec3& n, double component_error);
+    // A component is the difference of two products of two differences: four roundings on at most 2 |e1| |e2| in all; 9
+    // instead of 8 covers the second-order terms. Three products and two sums round the dot product by at most 3 units
+    // of sum |d_k n_k|.
+    ScanNormal(const Vec3& e1, const Vec3& e2)
+        : n_(e1.cross(e2)),
+          dot_error_(std::min(max_norm(e1), max_norm(e2)) >= least_length
+                         ? 9 * unit_roundoff * max_norm(e1) * max_norm(e2) + 4 * unit_roundoff * max_norm(n_)
+                         : std::numeric_limits<double>::infinity()) {}
 
     Vec3 n_;
     double dot_error_; ///< of a dot product, for each unit of the sum of |d_k|

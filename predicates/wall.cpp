@@ -30,9 +30,10 @@ bool Wall::is_passed_one_way(const Vec3& e, Range range) const {
     // The value is p0 + lambda p1 + t p2, linear in lambda and in t. Each component of a cached product is off by at
     // most 9 roundings of its size (as in ScanNormal), the dot product with e (three more, and the rounding of e
     // itself) and the outer sums by 6 more; 20 covers all with their second-order terms. Where w2 or its product with e
-    // underflows, a long reach makes much of what was lost.
+    // underflows, a long reach makes much of what was lost: less than this, which is no subnormal number, as products
+    // with those take a hundred times as long.
     const double reach = std::max(std::abs(range.lo), std::abs(range.hi));
-    const double underflow = dot_underflow * (1 + reach * (1 + sum_norm(e)));
+    const double underflow = std::numeric_limits<double>::min() * (1 + reach * (1 + sum_norm(e)));
     const double error = 20 * unit_roundoff * sum_norm(e) * (2 * size_ + reach * 2 * spread_) + underflow;
     const double low_t = std::min(range.lo * p2, range.hi * p2);
     const double high_t = std::max(range.lo * p2, range.hi * p2);

@@ -133,5 +133,93 @@ TEST_F(APyramid, GivesAScanVertexItsLastPlace) {
     EXPECT_EQ(base_.face(2).first_vertex, 4);
 }
 
+/// What is left of a surface, by the numbers that it had at the start.
+struct FaceAsItIs {
+    std::int32_t first_number;
+    Triangle corners;
+    std::array<std::int32_t, 3> across; ///< or -1
+    std::vector<std::int32_t> scan_faces;
+    std::vector<std::int32_t> scan_vertices;
+    bool is_scan_face;
+    bool operator==(const FaceAsItIs&) const = default;
+};
+std::vector<FaceAsItIs> faces_of(const BaseSurface& base) {
+    std::vector<FaceAsItIs> faces;
+    for (const auto handle : base.connectivity().faces()) {
+        const std::int32_t f = handle.idx();
+        const BaseFace face = base.face(f);
+        FaceAsItIs as_it_is{base.first_number(f), base.corners(f), {-1, -1, -1}, {}, {}, face.is_scan_face};
+        as_it_is.scan_faces.assign(face.scan_faces.begin(), face.scan_faces.end());
+        for (int k = 0; k < 3; ++k) {
+            const std::int32_t across = base.neighbour(f, k);
+            as_it_is.across[k] = across < 0 ? -1 : base.first_number(across);
+        }
+        for (std::int32_t v = face.first_vertex; v >= 0; v = base.next_on_face(v)) {
+            EXPECT_EQ(base.place(v).face, f);
+            as_it_is.scan_vertices.push_back(v);
+        }
+        faces.push_back(as_it_is);
+    }
+    return faces;
+}
+
+/// Collapses so many edges, wherever it can, but for those to the border.
+void collapse_some(BaseSurface& base, int count) {
+    Connectivity& mesh = base.connectivity();
+    for (const auto halfedge : mesh.halfedges()) {
+        if (count == 0 || mesh.status(mesh.edge_handle(halfedge)).deleted() || halfedge.from().is_boundary() ||
+            !mesh.is_collapse_ok(halfedge)) {
+            continue;
+        }
+        --count;
+        const std::int32_t gone = halfedge.from().idx();
+        const std::int32_t there = halfedge.face().idx();
+        const std::int32_t beside = mesh.opposite_face_handle(halfedge).idx();
+        const std::int32_t next = mesh.opposite_face_handle(halfedge.next()).idx();
+        mesh.collapse(halfedge);
+        base.drop_vertex(gone);
+        base.clear_face(there);
+        base.clear_face(beside);
+        base.set_face(next, {{-1, 1}, std::vector<std::int32_t>{there, beside, next}, -1, false});
+        base.set_place(gone, next, Vec3(0.5, 0.25, 0.25), 1.0);
+    }
+}
+
+TEST(BaseSurface, IsTheSameWithoutGaps) {
+    const Scan scan = test::torus(8, 7);
+    BaseSurface base(scan);
+    for (int round = 0; round < 3; ++round) { // the second time numbers are not those of the start any more
+        collapse_some(base, 8);
+        const std::vector<FaceAsItIs> before = faces_of(base);
+        const std::size_t edges = base.connectivity().n_edges();
+        base.close_gaps(number_what_is_left(base.connectivity()));
+        EXPECT_EQ(faces_of(base), before) << "round " << round;
+        EXPECT_EQ(base.face_slots(), before.size());
+        EXPECT_EQ(base.connectivity().n_faces(), before.size());
+        EXPECT_LT(base.connectivity().n_edges(), edges);
+        EXPECT_EQ(2 * base.connectivity().n_edges(), 3 * before.size()); // closed
+    }
+}
+
+TEST(BaseSurface, GoesAroundVerticesOfABorderAsBeforeWithoutGaps) {
+    const Scan scan = test::terrain(6, 0.1);
+    BaseSurface base(scan);
+    collapse_some(base, 6);
+    const auto fans = [&] {
+        std::vector<std::vector<std::int32_t>> result;
+        for (std::int32_t v = 0; v < static_cast<std::int32_t>(base.vertex_slots()); ++v) {
+            std::vector<std::int32_t>& fan = result.emplace_back();
+            if (!base.connectivity().status(OpenMesh::VertexHandle(v)).deleted()) {
+                base.append_faces_around(v, fan);
+            }
+            std::transform(fan.begin(), fan.end(), fan.begin(), [&](std::int32_t f) { return base.first_number(f); });
+        }
+        return result;
+    };
+    const auto before = fans();
+    base.close_gaps(number_what_is_left(base.connectivity()));
+    EXPECT_EQ(fans(), before);
+}
+
 } // namespace
 } // namespace foldless

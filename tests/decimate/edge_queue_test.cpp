@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <random>
 #include <set>
 #include <utility>
@@ -16,7 +17,7 @@ struct Lengths {
 };
 
 /// A queue of edges whose squared lengths are given when they are pushed.
-class Queue : private Lengths, public EdgeQueue {
+class Queue : public Lengths, public EdgeQueue {
 public:
     explicit Queue(std::size_t edges) : Queue(std::vector<double>(edges, 0.0)) {}
     explicit Queue(std::vector<double> lengths)
@@ -48,6 +49,30 @@ TEST(EdgeQueue, GivesTheShortestFirst) {
     queue.push(2, 4.0);
     queue.push(3, 2.0);
     EXPECT_EQ(drained(queue), (std::vector<std::int32_t>{1, 3, 0, 2}));
+}
+
+// Edges of every kind: still waiting, entered again, refused, looked at, gone.
+TEST(EdgeQueue, KeepsTheOrderWhereEdgesHaveNewNumbers) {
+    const auto make = [] {
+        auto queue = std::make_unique<Queue>(std::vector<double>{5, 1, 4, 2, 8, 6, 6, 3});
+        queue->push_all();
+        queue->refuse(*queue->pop()); // 1
+        queue->push(4, 2.5);
+        std::vector<std::int32_t> ahead;
+        queue->look_ahead(2, ahead);
+        EXPECT_EQ(ahead, (std::vector<std::int32_t>{3, 4}));
+        queue->erase(2);
+        queue->erase(7);
+        return queue;
+    };
+    const auto as_it_is = make();
+    as_it_is->wake(1);
+    EXPECT_EQ(drained(*as_it_is), (std::vector<std::int32_t>{3, 4, 0, 5, 6, 1}));
+    const auto renumbered = make();
+    renumbered->renumber(NewNumbers(8, [](std::int32_t edge) { return edge != 2 && edge != 7; }));
+    renumbered->squared_lengths = {5, 1, 2, 2.5, 6, 6};
+    renumbered->wake(1);
+    EXPECT_EQ(drained(*renumbered), (std::vector<std::int32_t>{2, 3, 0, 4, 5, 1}));
 }
 
 TEST(EdgeQueue, BreaksTiesByIndex) {

@@ -32,6 +32,23 @@ TEST(IndexMap, InsertsOnce) {
     EXPECT_EQ(map.find(4), 0);
 }
 
+TEST(IndexMap, HoldsAsManyAsItHasMemoryForAndMore) {
+    IndexMap map;
+    map.set(5, 1);
+    map.reserve(100000);
+    map.reserve(10);
+    for (std::int32_t index = 0; index < 200000; ++index) {
+        map.set(index, index / 2);
+    }
+    EXPECT_EQ(map.find(5), 2);
+    EXPECT_EQ(map.find(199999), 99999);
+    map.clear(); // and gives back memory
+    EXPECT_FALSE(map.contains(5));
+    map.set(7, 8);
+    EXPECT_EQ(map.find(7), 8);
+    EXPECT_FALSE(map.contains(199999));
+}
+
 TEST(IndexMap, ForgetsAllWhenCleared) {
     IndexMap map;
     map.set(3, 8);
