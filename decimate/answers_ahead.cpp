@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 
 namespace foldless {
 namespace {
@@ -129,10 +130,32 @@ void AnswersAhead::star_of(std::int32_t edge) {
     star_.insert(star_.end(), {from, to});
 }
 
+/// Those that take long first, so that no thread waits long for the last one.
 void AnswersAhead::ask_chosen() {
-    tbb::parallel_for(std::size_t{0}, chosen_.size(), [&](std::size_t n) {
-        ask(*chosen_[n], static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
+    for (Slot* slot : chosen_) {
+        slot->effort = effort_of(slot->edge);
+    }
+    std::sort(chosen_.begin(), chosen_.end(), [](const Slot* a, const Slot* b) { return a->effort > b->effort; });
+    std::atomic<std::size_t> next{0};
+    tbb::parallel_for(std::size_t{0}, std::min(askers_.size(), chosen_.size()), [&](std::size_t /*any*/) {
+        const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+        for (std::size_t n = next++; n < chosen_.size(); n = next++) {
+            ask(*chosen_[n], thread);
+        }
     });
+}
+
+/// About how long it takes to ask an edge: the scan faces around its ends.
+std::size_t AnswersAhead::effort_of(std::int32_t edge) const {
+    const Connectivity& mesh = state_.base->connectivity();
+    std::size_t effort = 0;
+    for (int side = 0; side < 2; ++side) {
+        const OpenMesh::HalfedgeHandle halfedge = mesh.halfedge_handle(OpenMesh::EdgeHandle(edge), side);
+        for (const auto face : mesh.vf_range(mesh.to_vertex_handle(halfedge))) {
+            effort += state_.base->face(face.idx()).scan_faces.size();
+        }
+    }
+    return effort;
 }
 
 void AnswersAhead::ask(Slot& slot, std::size_t thread) {

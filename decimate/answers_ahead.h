@@ -34,6 +34,7 @@ private:
     struct Slot {
         std::int32_t edge = -1;
         std::uint32_t asked_at = 0; ///< as many changes before
+        std::size_t effort = 0;
         EdgeAnswer answer;
     };
     [[nodiscard]] Slot* find(std::int32_t edge);
@@ -42,6 +43,7 @@ private:
     void keep_those_apart();
     void star_of(std::int32_t edge);
     void ask_chosen();
+    [[nodiscard]] std::size_t effort_of(std::int32_t edge) const;
     void ask(Slot& slot, std::size_t thread);
 
     AskedState state_;
