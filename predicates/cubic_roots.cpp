@@ -67,11 +67,9 @@ bool rises(const Cubic& cubic, const Cubic& error, double lo, double hi) {
 
 /// The root that a rising cubic has between lo and hi: Newton's method, and the middle where that would leave them.
 double root_between(const Cubic& cubic, double lo, double hi, double guess) {
-    constexpr int most_steps = 100;    // at worst it halves the range each time
-    constexpr double last_step = 1e-9; // the one after would be of the size of its square
     const Cubic sizes{std::abs(cubic.a), std::abs(cubic.b), std::abs(cubic.c), std::abs(cubic.d)};
     double t = guess;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_newton_steps; ++step) {
         const double value = cubic.value(t);
         if (std::abs(value) <= unit_roundoff * error_at(sizes, t)) {
             break;
@@ -79,7 +77,7 @@ double root_between(const Cubic& cubic, double lo, double hi, double guess) {
         (value < 0.0 ? lo : hi) = t;
         const double change = value / cubic.slope(t);
         const double next = t - change;
-        if (std::abs(change) <= last_step * std::abs(t)) {
+        if (std::abs(change) <= last_newton_step * std::abs(t)) {
             return next;
         }
         t = next > lo && next < hi ? next : 0.5 * (lo + hi);

@@ -49,6 +49,12 @@ struct RealRoots {
 /// The same for coefficients that are exact.
 [[nodiscard]] RealRoots real_roots(const Cubic& cubic);
 
+/// Steps of Newton's method in a range: at worst each halves it.
+inline constexpr int most_newton_steps = 100;
+
+/// The last step, relative to t: the one after would be of the size of its square.
+inline constexpr double last_newton_step = 1e-9;
+
 /// The roots in a range over which the cubic certainly rises, of which there is at most one; nothing if it
 /// may not rise everywhere, or may be zero at an end. Newton's method from where the chord of the range is zero, kept
 /// within the range. Far cheaper than all roots.

@@ -1,5 +1,7 @@
 #include <foldless/predicates/inverse_displacement.h>
 
+#include <foldless/predicates/rounding.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,20 +9,8 @@
 namespace foldless {
 namespace {
 
-constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2.0;
-
-/// Relative error of a coefficient of the cubic against the sum of the sizes of its terms, in roundings on the longest
-/// path: differences of the inputs 2, product of two 1, sum of a cross product 1, sum of two cross products 1, product
-/// with P_0 (one difference) 2, sum of three 2, sum of two dot products 1: 10. Evaluating the cubic adds 6, and four
-/// more cover all terms of higher order.
-constexpr double coefficient_epsilon = 20.0 * unit_roundoff;
-
 /// Relative error of a component of a slice's corner difference, a product of two of them, and their difference.
 constexpr double slice_epsilon = 8.0 * unit_roundoff;
-
-/// A slice normal above this share of its terms cannot vanish within the uncertainty of a root: that is at most the
-/// cube root of the rounding error, about 1e-5, at a triple root. It saves the exact bound in the common case.
-constexpr double surely_no_degenerate_slice = 0x1p-10;
 
 /// The scales are at most 2^500 (3e150) either way, so that their quotients and squares are normal doubles. Inputs
 /// beyond that are scaled by as much as that, and may overflow.
@@ -40,6 +30,16 @@ std::optional<int> exponent_of(std::initializer_list<Vec3> vectors) {
     return std::clamp(exponent, -largest_exponent, largest_exponent);
 }
 
+/// The sum in this order, which kernels follow.
+double dot(const Vec3& a, const Vec3& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The sum in this order, too.
+double sum_of_sizes(const Vec3& vector) {
+    return std::abs(vector[0]) + std::abs(vector[1]) + std::abs(vector[2]);
+}
+
 double size(const Vec3& vector) {
     return std::max(std::max(std::abs(vector[0]), std::abs(vector[1])), std::abs(vector[2]));
 }
@@ -56,40 +56,42 @@ struct InverseDisplacement::Slice {
     double size1, size2; // bounds on the terms that edge1 and edge2 are the sums of
 };
 
-InverseDisplacement::InverseDisplacement(const BaseTriangle& triangle) : origin_(triangle.v[0]) {
+InverseDisplacement::InverseDisplacement(const BaseTriangle& triangle) {
+    terms_.origin = triangle.v[0];
     const Vec3 p1 = triangle.v[1] - triangle.v[0];
     const Vec3 p2 = triangle.v[2] - triangle.v[0];
     const auto length = exponent_of({p1, p2});
     const auto direction = exponent_of({triangle.d[0], triangle.d[1], triangle.d[2]});
     const int length_exponent = length.value_or(direction.value_or(0));
-    length_unit_ = std::ldexp(1.0, length_exponent);
-    direction_unit_ = std::ldexp(1.0, direction.value_or(length_exponent));
-    inverse_length_ = 1.0 / length_unit_;
-    displacement_unit_ = length_unit_ / direction_unit_;
-    const double inverse_direction = 1.0 / direction_unit_;
-    p1_ = p1 * inverse_length_;
-    p2_ = p2 * inverse_length_;
-    d0_ = triangle.d[0] * inverse_direction;
-    d1_ = triangle.d[1] * inverse_direction - d0_;
-    d2_ = triangle.d[2] * inverse_direction - d0_;
-    t_dd_ = d1_.cross(d2_);
-    t_pd_ = p1_.cross(d2_) + d1_.cross(p2_);
-    t_pp_ = p1_.cross(p2_);
-    a_ = d0_.dot(t_dd_);
-    d0_t_pd_ = d0_.dot(t_pd_);
-    d0_t_pp_ = d0_.dot(t_pp_);
-    size_p1_ = size(p1_);
-    size_p2_ = size(p2_);
-    size_d1_ = size(d1_);
-    size_d2_ = size(d2_);
-    size_dd_ = 2.0 * size_d1_ * size_d2_;
-    size_pd_ = 2.0 * (size_p1_ * size_d2_ + size_d1_ * size_p2_);
-    size_pp_ = 2.0 * size_p1_ * size_p2_;
-    direction_error_ = coefficient_epsilon * d0_.lpNorm<1>();
+    terms_.length_unit = std::ldexp(1.0, length_exponent);
+    terms_.direction_unit = std::ldexp(1.0, direction.value_or(length_exponent));
+    terms_.inverse_length = 1.0 / terms_.length_unit;
+    terms_.displacement_unit = terms_.length_unit / terms_.direction_unit;
+    terms_.inverse_displacement_unit = terms_.direction_unit / terms_.length_unit;
+    const double inverse_direction = 1.0 / terms_.direction_unit;
+    terms_.p1 = p1 * terms_.inverse_length;
+    terms_.p2 = p2 * terms_.inverse_length;
+    terms_.d0 = triangle.d[0] * inverse_direction;
+    terms_.d1 = triangle.d[1] * inverse_direction - terms_.d0;
+    terms_.d2 = triangle.d[2] * inverse_direction - terms_.d0;
+    terms_.t_dd = terms_.d1.cross(terms_.d2);
+    terms_.t_pd = terms_.p1.cross(terms_.d2) + terms_.d1.cross(terms_.p2);
+    terms_.t_pp = terms_.p1.cross(terms_.p2);
+    terms_.a = terms_.d0.dot(terms_.t_dd);
+    terms_.d0_t_pd = terms_.d0.dot(terms_.t_pd);
+    terms_.d0_t_pp = terms_.d0.dot(terms_.t_pp);
+    terms_.size_p1 = size(terms_.p1);
+    terms_.size_p2 = size(terms_.p2);
+    terms_.size_d1 = size(terms_.d1);
+    terms_.size_d2 = size(terms_.d2);
+    terms_.size_dd = 2.0 * terms_.size_d1 * terms_.size_d2;
+    terms_.size_pd = 2.0 * (terms_.size_p1 * terms_.size_d2 + terms_.size_d1 * terms_.size_p2);
+    terms_.size_pp = 2.0 * terms_.size_p1 * terms_.size_p2;
+    terms_.direction_error = Terms::coefficient_epsilon * terms_.d0.lpNorm<1>();
 }
 
 Vec3 InverseDisplacement::relative(const Vec3& q) const {
-    return (origin_ - q) * inverse_length_;
+    return (terms_.origin - q) * terms_.inverse_length;
 }
 
 Cubic InverseDisplacement::cubic(const Vec3& q) const {
@@ -97,24 +99,26 @@ Cubic InverseDisplacement::cubic(const Vec3& q) const {
 }
 
 Cubic InverseDisplacement::cubic_of(const Vec3& p0) const {
-    return {a_, p0.dot(t_dd_) + d0_t_pd_, p0.dot(t_pd_) + d0_t_pp_, p0.dot(t_pp_)};
+    return {terms_.a, dot(p0, terms_.t_dd) + terms_.d0_t_pd, dot(p0, terms_.t_pd) + terms_.d0_t_pp,
+            dot(p0, terms_.t_pp)};
 }
 
 Cubic InverseDisplacement::error_of(const Vec3& p0) const {
-    const double p = coefficient_epsilon * p0.lpNorm<1>();
-    const double d = direction_error_;
-    return {d * size_dd_, p * size_dd_ + d * size_pd_, p * size_pd_ + d * size_pp_, p * size_pp_};
+    const double p = Terms::coefficient_epsilon * sum_of_sizes(p0);
+    const double d = terms_.direction_error;
+    return {d * terms_.size_dd, p * terms_.size_dd + d * terms_.size_pd, p * terms_.size_pd + d * terms_.size_pp,
+            p * terms_.size_pp};
 }
 
 InverseDisplacement::Slice InverseDisplacement::slice(const Vec3& p0, double t) const {
     Slice slice;
     slice.t = t;
-    slice.edge1 = p1_ + t * d1_;
-    slice.edge2 = p2_ + t * d2_;
-    slice.point = -(p0 + t * d0_);
+    slice.edge1 = terms_.p1 + t * terms_.d1;
+    slice.edge2 = terms_.p2 + t * terms_.d2;
+    slice.point = -(p0 + t * terms_.d0);
     slice.normal = slice.edge1.cross(slice.edge2);
-    slice.size1 = size_p1_ + std::abs(t) * size_d1_;
-    slice.size2 = size_p2_ + std::abs(t) * size_d2_;
+    slice.size1 = terms_.size_p1 + std::abs(t) * terms_.size_d1;
+    slice.size2 = terms_.size_p2 + std::abs(t) * terms_.size_d2;
     return slice;
 }
 
@@ -129,29 +133,29 @@ Preimage InverseDisplacement::preimage_in(const Slice& slice) const {
     const auto area = [x, y](const Vec3& a, const Vec3& b) { return a[x] * b[y] - a[y] * b[x]; };
     const double alpha1 = area(slice.point, slice.edge2) / slice.normal[axis];
     const double alpha2 = area(slice.edge1, slice.point) / slice.normal[axis];
-    const double slope = slice.normal.dot(d0_ + alpha1 * d1_ + alpha2 * d2_);
-    return {Vec3(1.0 - alpha1 - alpha2, alpha1, alpha2), slice.t * displacement_unit_, to_slope(slope)};
+    const double slope = dot(slice.normal, terms_.d0 + alpha1 * terms_.d1 + alpha2 * terms_.d2);
+    return {Vec3(1.0 - alpha1 - alpha2, alpha1, alpha2), slice.t * terms_.displacement_unit, to_slope(slope)};
 }
 
 // N(t) has two factors of length and J one more of direction; in this order no product overflows or underflows unless
 // the slope does.
 double InverseDisplacement::to_slope(double scaled) const {
-    const double slope = scaled * length_unit_ * direction_unit_ * length_unit_;
+    const double slope = scaled * terms_.length_unit * terms_.direction_unit * terms_.length_unit;
     return slope == 0.0 && scaled != 0.0 ? std::copysign(std::numeric_limits<double>::denorm_min(), scaled) : slope;
 }
 
 // Whether N is zero at some t within the uncertainty: |N(t + r) - N(t)| <= |N'(t)| |r| + |t_DD| r^2.
 bool InverseDisplacement::vanishes(const Slice& slice, double uncertainty) const {
-    const Vec3 change = t_pd_ + 2.0 * slice.t * t_dd_;
+    const Vec3 change = terms_.t_pd + 2.0 * slice.t * terms_.t_dd;
     const double rounding = slice_epsilon * 2.0 * slice.size1 * slice.size2;
-    return size(slice.normal) <= (size(change) + uncertainty * size(t_dd_)) * uncertainty + rounding;
+    return size(slice.normal) <= (size(change) + uncertainty * size(terms_.t_dd)) * uncertainty + rounding;
 }
 
 // Whether q is on the line, or the point, to which a slice has shrunk: it is if it is within `slack` of one of its
 // edges or of all of its corners, where `slack` bounds how far corners move within the uncertainty.
 bool InverseDisplacement::holds_point(const Slice& slice, double uncertainty) const {
-    const double speed = size(d0_) + std::max(size_d1_, size_d2_);
-    const double terms = size(slice.point) + std::abs(slice.t) * size(d0_) + std::max(slice.size1, slice.size2);
+    const double speed = size(terms_.d0) + std::max(terms_.size_d1, terms_.size_d2);
+    const double terms = size(slice.point) + std::abs(slice.t) * size(terms_.d0) + std::max(slice.size1, slice.size2);
     const double slack = 2.0 * (speed * uncertainty + slice_epsilon * terms);
     const Vec3& edge = size(slice.edge1) >= size(slice.edge2) ? slice.edge1 : slice.edge2;
     if (size(edge) <= slack) {
@@ -201,16 +205,17 @@ Preimages InverseDisplacement::preimages(const Vec3& q, const Range& range) cons
     const Vec3 p0 = relative(q);
     const Cubic cubic = cubic_of(p0);
     const Cubic error = error_of(p0);
-    const RealRoots roots = roots_near(cubic, error, {range.lo / displacement_unit_, range.hi / displacement_unit_});
+    const RealRoots roots =
+        roots_near(cubic, error, {range.lo / terms_.displacement_unit, range.hi / terms_.displacement_unit});
     Preimages result;
     bool is_incomplete = roots.everywhere;
     for (const double t : roots) {
-        const double model_t = t * displacement_unit_;
+        const double model_t = t * terms_.displacement_unit;
         if (!(range.lo <= model_t && model_t <= range.hi)) {
             continue;
         }
         const Slice at = slice(p0, t);
-        const bool small = size(at.normal) <= surely_no_degenerate_slice * at.size1 * at.size2;
+        const bool small = size(at.normal) <= Terms::surely_no_degenerate_slice * at.size1 * at.size2;
         const double uncertainty = small ? root_uncertainty(cubic, t, error_at(error, t)) : 0.0;
         if (!small || !vanishes(at, uncertainty)) {
             const Preimage preimage = preimage_in(at);
@@ -240,8 +245,8 @@ std::optional<Preimage> InverseDisplacement::nearest(const Vec3& q) const {
 }
 
 double InverseDisplacement::renormalised_displacement(const Preimage& preimage) const {
-    const Vec3 direction = d0_ + preimage.alpha[1] * d1_ + preimage.alpha[2] * d2_;
-    return preimage.t * (direction.norm() * direction_unit_);
+    const Vec3 direction = terms_.d0 + preimage.alpha[1] * terms_.d1 + preimage.alpha[2] * terms_.d2;
+    return preimage.t * (direction.norm() * terms_.direction_unit);
 }
 
 } // namespace foldless

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <foldless/predicates/cubic_roots.h>
+#include <foldless/predicates/rounding.h>
 #include <foldless/predicates/vector.h>
 
 #include <array>
@@ -62,6 +63,35 @@ private:
 /// the triangle, or that is NaN, has no solution.
 class InverseDisplacement {
 public:
+    /// What of the triangle every inversion uses.
+    struct Terms {
+        /// Relative error of a coefficient of the cubic against the sum of the sizes of its terms, in roundings on the
+        /// longest path: differences of the inputs 2, product of two 1, sum of a cross product 1, sum of two cross
+        /// products 1, product with P_0 (one difference) 2, sum of three 2, sum of two dot products 1: 10. Evaluating
+        /// the cubic adds 6, and four more cover all terms of higher order.
+        static constexpr double coefficient_epsilon = 20.0 * unit_roundoff;
+
+        /// A slice normal above this share of its terms cannot vanish within the uncertainty of a root: that is at most
+        /// the cube root of the rounding error, about 1e-5, at a triple root. It saves the exact bound in the common
+        /// case.
+        static constexpr double surely_no_degenerate_slice = 0x1p-10;
+
+        // The columns of the position and displacement matrices but P_0, scaled (eqs. 11, 12), and the cached products
+        // of section 4.
+        Vec3 origin;
+        Vec3 p1, p2, d0, d1, d2;
+        Vec3 t_dd, t_pd, t_pp;
+        double a, d0_t_pd, d0_t_pp;
+        // Largest components of the columns, bounds on the terms in each component of t_DD, t_PD, t_PP, and the share
+        // of D_0 in the errors of the coefficients.
+        double size_p1, size_p2, size_d1, size_d2;
+        double size_dd, size_pd, size_pp;
+        double direction_error;
+        // Powers of two: positions and directions are divided by these, and t by the displacement unit.
+        double length_unit, direction_unit;
+        double inverse_length, displacement_unit, inverse_displacement_unit;
+    };
+
     explicit InverseDisplacement(const BaseTriangle& triangle);
 
     /// The coefficients of C_q(t) = N(t) . (a_0(t) - q) in scaled units: t in units of displacement_unit(). Nine
@@ -69,7 +99,9 @@ public:
     [[nodiscard]] Cubic cubic(const Vec3& q) const;
 
     /// The power of two by which a root of cubic() is multiplied to give t.
-    [[nodiscard]] double displacement_unit() const { return displacement_unit_; }
+    [[nodiscard]] double displacement_unit() const { return terms_.displacement_unit; }
+
+    [[nodiscard]] const Terms& terms() const { return terms_; }
 
     /// All solutions, inside the triangle or not. A double root is listed once. Constant time, no allocation.
     [[nodiscard]] Preimages preimages(const Vec3& q) const;
@@ -97,20 +129,7 @@ private:
     [[nodiscard]] bool holds_point(const Slice& slice, double uncertainty) const;
     [[nodiscard]] double to_slope(double scaled) const;
 
-    // The columns of the position and displacement matrices but P_0, scaled (eqs. 11, 12), and the cached products of
-    // section 4.
-    Vec3 origin_;
-    Vec3 p1_, p2_, d0_, d1_, d2_;
-    Vec3 t_dd_, t_pd_, t_pp_;
-    double a_, d0_t_pd_, d0_t_pp_;
-    // Largest components of the columns, bounds on the terms in each component of t_DD, t_PD, t_PP, and the share of
-    // D_0 in the errors of the coefficients.
-    double size_p1_, size_p2_, size_d1_, size_d2_;
-    double size_dd_, size_pd_, size_pp_;
-    double direction_error_;
-    // Powers of two: positions and directions are divided by these.
-    double length_unit_, direction_unit_;
-    double inverse_length_, displacement_unit_;
+    Terms terms_;
 };
 
 } // namespace foldless
