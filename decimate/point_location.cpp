@@ -102,36 +102,101 @@ Verdict PointLocation::reset(PatchedSurface& surface, Uniqueness uniqueness) {
     return Verdict::accepted;
 }
 
-void PointLocation::find_in(const Prepared& prepared, const Vec3& q) {
-    if (uniqueness_ == Uniqueness::fold_free) {
-        return collect(prepared.prismoid.preimages(q), prepared, q);
+void PointLocation::solve(std::span<const Vec3> points) {
+    batches_.clear();
+    for (const Vec3& q : points) {
+        if (batches_.empty() || batches_.back().size == PointBatch::capacity) {
+            batches_.emplace_back();
+        }
+        batches_.back().push_back(q, {0, 0});
     }
-    const std::optional<Range> part = prepared.prismoid.displacements(q);
-    if (part) {
-        collect(prepared.prismoid.preimages(q, *part), prepared, q);
+    candidates_.clear();
+    first_.assign(points.size(), -1);
+    last_.assign(points.size(), -1);
+    for (const Prepared& prepared : prepared_) {
+        if (uniqueness_ == Uniqueness::fold_free) {
+            solve_fold_free_in(prepared);
+        } else {
+            solve_in(prepared);
+        }
     }
 }
 
-void PointLocation::collect(const Preimages& preimages, const Prepared& prepared, const Vec3& q) {
-    const BaseTriangle& triangle = surface_->cell(prepared.cell).triangle;
+void PointLocation::solve_fold_free_in(const Prepared& prepared) {
+    for (int k = 0; k < static_cast<int>(first_.size()); ++k) {
+        add(k, prepared.cell, prepared.prismoid.preimages(point(k)));
+    }
+}
+
+void PointLocation::solve_in(const Prepared& prepared) {
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        PointBatch& batch = batches_[b];
+        for (unsigned left = prepared.prismoid.displacements(batch, instructions_); left != 0; left &= left - 1) {
+            const int k = std::countr_zero(left);
+            survivor_[survivors_.size] = static_cast<int>(b) * PointBatch::capacity + k;
+            survivors_.push_back(batch.point(k), batch.range(k));
+            if (survivors_.size == PointBatch::capacity) {
+                solve_survivors_in(prepared);
+            }
+        }
+    }
+    solve_survivors_in(prepared);
+}
+
+void PointLocation::solve_survivors_in(const Prepared& prepared) {
+    const BatchInversion inversion(prepared.prismoid.inverse(), survivors_, instructions_);
+    for (unsigned left = inversion.candidates(); left != 0; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        if ((inversion.single() >> k & 1U) != 0) {
+            add(survivor_[k], prepared.cell, inversion.preimage(k));
+        } else {
+            add(survivor_[k], prepared.cell, inversion.preimages(k));
+        }
+    }
+    survivors_.size = 0;
+}
+
+void PointLocation::add(int k, int cell, const Preimages& preimages) {
     if (preimages.kind == Preimages::Kind::infinite) {
+        return append(k, {cell, -1, false, {}});
+    }
+    for (const Preimage& preimage : preimages) {
+        add(k, cell, preimage);
+    }
+}
+
+void PointLocation::add(int k, int cell, const Preimage& preimage) {
+    if (preimage.slope > 0 && !is_clearly_outside(preimage)) {
+        append(k, {cell, -1, true, preimage});
+    }
+}
+
+void PointLocation::append(int k, const Candidate& candidate) {
+    const int index = static_cast<int>(candidates_.size());
+    (first_[k] < 0 ? first_[k] : candidates_[last_[k]].next) = index;
+    last_[k] = index;
+    candidates_.push_back(candidate);
+}
+
+Vec3 PointLocation::point(int k) const {
+    return batches_[k / PointBatch::capacity].point(k % PointBatch::capacity);
+}
+
+void PointLocation::judge(const Candidate& candidate, const Vec3& q) {
+    if (!candidate.is_known) {
         failure_ = Verdict::undecided;
         return;
     }
-    for (const Preimage& preimage : preimages) {
-        if (!(preimage.slope > 0) || is_clearly_outside(preimage)) {
-            continue;
-        }
-        const std::optional<Enclosure> at = enclose(triangle, q, preimage.alpha, preimage.t);
-        if (!at) {
-            failure_ = Verdict::undecided;
-            continue;
-        }
-        if (const std::optional<Lift> lift = lift_of(prepared.cell, triangle, q, *at)) {
-            found_.push_back(*lift);
-            if (std::popcount(lift->walls) > 1) { // only a kept vertex may be on a pillar
-                failure_ = Verdict::tie;
-            }
+    const BaseTriangle& triangle = surface_->cell(candidate.cell).triangle;
+    const std::optional<Enclosure> at = enclose(triangle, q, candidate.preimage.alpha, candidate.preimage.t);
+    if (!at) {
+        failure_ = Verdict::undecided;
+        return;
+    }
+    if (const std::optional<Lift> lift = lift_of(candidate.cell, triangle, q, *at)) {
+        found_.push_back(*lift);
+        if (std::popcount(lift->walls) > 1) { // only a kept vertex may be on a pillar
+            failure_ = Verdict::tie;
         }
     }
 }
@@ -148,12 +213,12 @@ Verdict PointLocation::on_open_wall(const Lift& lift) const {
     return Verdict::accepted;
 }
 
-Verdict PointLocation::locate(const Vec3& q, Lift& lift) {
+Verdict PointLocation::locate(int k, Lift& lift) {
     found_.clear();
     alternatives_.clear();
     failure_ = Verdict::accepted;
-    for (const Prepared& prepared : prepared_) {
-        find_in(prepared, q);
+    for (int c = first_[k]; c >= 0; c = candidates_[c].next) {
+        judge(candidates_[c], point(k));
     }
     if (failure_ != Verdict::accepted) {
         return failure_;

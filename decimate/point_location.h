@@ -8,7 +8,9 @@
 #include <foldless/predicates/enclosure.h>
 #include <foldless/predicates/prismoid_point.h>
 
+#include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace foldless {
@@ -52,9 +54,15 @@ public:
     /// Prepares the new cells. `jacobian` if J <= 0 at a corner of one, else `accepted`.
     [[nodiscard]] Verdict reset(PatchedSurface& surface, Uniqueness uniqueness);
 
-    /// The place of q. Fails with `no_preimage`, `several_preimages`, `tie` if it lies on a pillar or on a wall without
-    /// another side, or `undecided`.
-    [[nodiscard]] Verdict locate(const Vec3& q, Lift& lift);
+    /// Most points of one call to solve().
+    static constexpr std::size_t most_points = 8 * PointBatch::capacity;
+
+    /// Finds the solutions for some points, for locate() to judge: face by face, many points at a time.
+    void solve(std::span<const Vec3> points);
+
+    /// The place of point k of the last call to solve(). Fails with `no_preimage`, `several_preimages`, `tie` if it
+    /// lies on a pillar or on a wall without another side, or `undecided`.
+    [[nodiscard]] Verdict locate(int k, Lift& lift);
 
     /// Inverse displacements that the last call to locate() found beside the one it chose; they must turn out to lie
     /// outside the ranges of their cells.
@@ -66,13 +74,33 @@ private:
         Prismoid prismoid; ///< over the range in which J > 0 at the corners
     };
 
-    void find_in(const Prepared& prepared, const Vec3& q);
-    void collect(const Preimages& preimages, const Prepared& prepared, const Vec3& q);
+    /// A solution of a point that may be inside its cell.
+    struct Candidate {
+        int cell;
+        int next;      ///< the next of the same point, in order of cells, or -1
+        bool is_known; ///< false if the solutions in the cell are not a finite list
+        Preimage preimage;
+    };
+
+    void solve_in(const Prepared& prepared);
+    void solve_fold_free_in(const Prepared& prepared);
+    void solve_survivors_in(const Prepared& prepared);
+    void add(int k, int cell, const Preimages& preimages);
+    void add(int k, int cell, const Preimage& preimage);
+    void append(int k, const Candidate& candidate);
+    [[nodiscard]] Vec3 point(int k) const;
+    void judge(const Candidate& candidate, const Vec3& q);
     [[nodiscard]] Verdict on_open_wall(const Lift& lift) const;
 
     PatchedSurface* surface_ = nullptr;
     Uniqueness uniqueness_ = Uniqueness::in_range;
+    InstructionSet instructions_ = best_instruction_set();
     std::vector<Prepared> prepared_;
+    std::vector<PointBatch> batches_; ///< the points of solve(), in order
+    std::vector<Candidate> candidates_;
+    std::vector<int> first_, last_;                    ///< of each point in candidates_, or -1
+    PointBatch survivors_;                             ///< points that the cell at hand may hold
+    std::array<int, PointBatch::capacity> survivor_{}; ///< which points these are
     std::vector<Lift> found_;
     std::vector<Lift> alternatives_;
     Verdict failure_ = Verdict::accepted; ///< while solutions are collected

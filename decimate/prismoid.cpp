@@ -1,5 +1,6 @@
 #include <foldless/decimate/prismoid.h>
 
+#include <foldless/decimate/prismoid_kernel.h>
 #include <foldless/predicates/rounding.h>
 
 #include <algorithm>
@@ -7,11 +8,17 @@
 #include <limits>
 
 namespace foldless {
-namespace {
 
-/// Relative slack of brackets and planes: far above their rounding (1e-15), far below the size of a face, so that
-/// culling is safe and still sharp.
-constexpr double cull_slack = 1e-9;
+#if defined(__x86_64__)
+namespace avx2_lanes {
+unsigned cull(const Prismoid::Bounds& bounds, PointBatch& points);
+}
+namespace avx512_lanes {
+unsigned cull(const Prismoid::Bounds& bounds, PointBatch& points);
+}
+#endif
+
+namespace {
 
 /// Along the wall opposite corner k, half way between the directions of its two ends.
 Vec3 outward_of(const BaseTriangle& triangle, int k) {
@@ -22,50 +29,49 @@ Vec3 outward_of(const BaseTriangle& triangle, int k) {
 
 } // namespace
 
-Prismoid::Prismoid(const BaseTriangle& triangle, Range range)
-    : range_(range), inverse_(triangle), origin_(triangle.v[0]) {
+Prismoid::Prismoid(const BaseTriangle& triangle, Range range) : inverse_(triangle) {
+    bounds_.range = range;
+    bounds_.origin = triangle.v[0];
     const Vec3 e1 = triangle.v[1] - triangle.v[0];
     const Vec3 e2 = triangle.v[2] - triangle.v[0];
-    normal_ = e1.cross(e2);
-    const std::array<double, 3> speed{triangle.d[0].dot(normal_), triangle.d[1].dot(normal_),
-                                      triangle.d[2].dot(normal_)};
-    per_height_ = 1 / *std::max_element(speed.begin(), speed.end());
-    per_height_at_most_ = 1 / *std::min_element(speed.begin(), speed.end());
-    unit_ = std::max(max_norm(e1), max_norm(e2)) / max_norm(triangle.d[0]);
+    bounds_.normal = e1.cross(e2);
+    const std::array<double, 3> speed{triangle.d[0].dot(bounds_.normal), triangle.d[1].dot(bounds_.normal),
+                                      triangle.d[2].dot(bounds_.normal)};
+    bounds_.per_height = 1 / *std::max_element(speed.begin(), speed.end());
+    bounds_.per_height_at_most = 1 / *std::min_element(speed.begin(), speed.end());
+    bounds_.unit = std::max(max_norm(e1), max_norm(e2)) / max_norm(triangle.d[0]);
     for (int k = 0; k < 3; ++k) {
-        Plane& plane = planes_[k];
+        Plane& plane = bounds_.planes[k];
         plane.outward = outward_of(triangle, k);
         plane.level = Vec3(0, plane.outward.dot(e1), plane.outward.dot(e2));
         plane.drift =
             Vec3(plane.outward.dot(triangle.d[0]), plane.outward.dot(triangle.d[1]), plane.outward.dot(triangle.d[2]));
-        plane.slack = cull_slack * sum_norm(plane.outward) * (sum_norm(e1) + sum_norm(e2));
+        plane.slack = Bounds::cull_slack * sum_norm(plane.outward) * (sum_norm(e1) + sum_norm(e2));
     }
 }
 
 std::optional<Range> Prismoid::displacements(const Vec3& q) const {
-    if (!(per_height_at_most_ > 0) || !(per_height_ > 0)) {
-        return range_;
+    if (!bounds_.has_brackets()) {
+        return bounds_.range;
     }
-    const Vec3 p = q - origin_;
-    const double height = p.dot(normal_);
-    double lo = height * (height >= 0 ? per_height_ : per_height_at_most_);
-    double hi = height * (height >= 0 ? per_height_at_most_ : per_height_);
-    const double widen = cull_slack * (std::abs(lo) + std::abs(hi) + unit_);
-    lo = std::max(lo, range_.lo) - widen;
-    hi = std::min(hi, range_.hi) + widen;
-    if (lo > hi) {
-        return std::nullopt;
+    const scalar_lanes::LaneParts part = scalar_lanes::parts_of(bounds_, {q[0], q[1], q[2]});
+    return part.none ? std::nullopt : std::optional(Range{part.lo, part.hi});
+}
+
+unsigned Prismoid::displacements(PointBatch& points, InstructionSet set) const {
+    const unsigned every_point = (1U << points.size) - 1U;
+    if (!bounds_.has_brackets()) {
+        points.lo.fill(bounds_.range.lo);
+        points.hi.fill(bounds_.range.hi);
+        return every_point;
     }
-    for (const Plane& plane : planes_) {
-        double furthest = -std::numeric_limits<double>::infinity();
-        for (int c = 0; c < 3; ++c) {
-            furthest = std::max(furthest, plane.level[c] + std::max(lo * plane.drift[c], hi * plane.drift[c]));
-        }
-        if (p.dot(plane.outward) > furthest + plane.slack) {
-            return std::nullopt;
-        }
+    switch (set) {
+#if defined(__x86_64__)
+    case InstructionSet::avx512: return every_point & ~avx512_lanes::cull(bounds_, points);
+    case InstructionSet::avx2: return every_point & ~avx2_lanes::cull(bounds_, points);
+#endif
+    default: return every_point & ~scalar_lanes::cull_all(bounds_, points);
     }
-    return Range{lo, hi};
 }
 
 WallPlanes::WallPlanes(const BaseTriangle& triangle, Range range) : origin_(triangle.v[0]) {

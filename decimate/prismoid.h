@@ -2,6 +2,8 @@
 /// The prismoid of a base face over a range of displacements, prepared for questions about many points.
 #pragma once
 
+#include <foldless/predicates/batch_inversion.h>
+#include <foldless/predicates/instruction_set.h>
 #include <foldless/predicates/inverse_displacement.h>
 #include <foldless/predicates/vector.h>
 
@@ -21,11 +23,15 @@ class Prismoid {
 public:
     Prismoid(const BaseTriangle& triangle, Range range);
 
-    [[nodiscard]] Range range() const { return range_; }
+    [[nodiscard]] Range range() const { return bounds_.range; }
 
     /// A part of the range that holds the displacements of all solutions for q inside the triangle, or nothing if there
     /// certainly are none.
     [[nodiscard]] std::optional<Range> displacements(const Vec3& q) const;
+
+    /// The same for a batch of points, whose ranges become those parts: bit k is set unless point k certainly has no
+    /// solution inside the triangle.
+    [[nodiscard]] unsigned displacements(PointBatch& points, InstructionSet set) const;
 
     /// The solutions for q in the part of the range that displacements() gave: all that lie inside the triangle, and
     /// perhaps others.
@@ -33,7 +39,9 @@ public:
     /// All solutions for q, in the triangle and in the range or not.
     [[nodiscard]] Preimages preimages(const Vec3& q) const { return inverse_.preimages(q); }
 
-private:
+    /// Solutions of batches, each in its part of the range.
+    [[nodiscard]] const InverseDisplacement& inverse() const { return inverse_; }
+
     /// A plane along a wall.
     struct Plane {
         Vec3 outward; ///< its normal
@@ -42,13 +50,26 @@ private:
         double slack;
     };
 
-    Range range_;
+    /// What displacements() uses.
+    struct Bounds {
+        /// Relative slack of brackets and planes: far above their rounding (1e-15), far below the size of a face, so
+        /// that culling is safe and still sharp.
+        static constexpr double cull_slack = 1e-9;
+
+        Range range;
+        Vec3 origin;
+        Vec3 normal;                           ///< of the base triangle at t = 0
+        double per_height, per_height_at_most; ///< 1 / the largest and the smallest d_i.normal
+        double unit;                           ///< of displacements: as far as the triangle is wide
+        std::array<Plane, 3> planes;
+
+        /// Whether the corners' directions all have d_i.normal > 0, without which there are no brackets.
+        [[nodiscard]] bool has_brackets() const { return per_height_at_most > 0 && per_height > 0; }
+    };
+
+private:
     InverseDisplacement inverse_;
-    Vec3 origin_;
-    Vec3 normal_;                            ///< of the base triangle at t = 0
-    double per_height_, per_height_at_most_; ///< 1 / the largest and the smallest d_i.normal
-    double unit_;                            ///< of displacements: as far as the triangle is wide
-    std::array<Plane, 3> planes_;
+    Bounds bounds_;
 };
 
 /// Planes that leave the walls of a base face, over a range of displacements, on their outer side.

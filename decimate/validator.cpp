@@ -124,8 +124,10 @@ Verdict Validator::ask_witness() {
     if (witness_ < 0 || base_->place(witness_).face < 0 || !surface_.removes(base_->place(witness_).face)) {
         return Verdict::accepted;
     }
+    pending_ = {witness_};
+    solve_pending();
     Lift lift{};
-    return find_place(witness_, lift);
+    return find_place(0, lift);
 }
 
 Verdict Validator::locate_vertices(const Patch& patch) {
@@ -133,9 +135,11 @@ Verdict Validator::locate_vertices(const Patch& patch) {
     if (scan_faces_.size() > many_scan_faces) {
         image_.reserve(vertices_on(patch));
     }
+    pending_.clear();
+    most_pending_ = PointBatch::capacity;
     for (const std::int32_t face : patch.removed) {
         for (std::int32_t v = base_->face(face).first_vertex; v >= 0; v = base_->next_on_face(v)) {
-            const Verdict verdict = locate_vertex(v);
+            const Verdict verdict = locate_soon(v);
             if (verdict != Verdict::accepted) {
                 return verdict;
             }
@@ -145,12 +149,32 @@ Verdict Validator::locate_vertices(const Patch& patch) {
         const bool was_there = changed.index < static_cast<std::int32_t>(base_->vertex_slots());
         const std::int32_t v = was_there ? base_->vertex(changed.index).scan_vertex : -1;
         if (v >= 0 && changed.value.scan_vertex != v) { // kept no longer
-            const Verdict verdict = locate_vertex(v);
+            const Verdict verdict = locate_soon(v);
             if (verdict != Verdict::accepted) {
                 return verdict;
             }
         }
     }
+    return locate_pending();
+}
+
+Verdict Validator::locate_soon(std::int32_t v) {
+    pending_.push_back(v);
+    return pending_.size() < most_pending_ ? Verdict::accepted : locate_pending();
+}
+
+// Many vertices are solved for at once, and judged in their order. Most patches that fail do so at one of their first
+// vertices: the first lists are short, so that at most as much is solved in vain as was of use.
+Verdict Validator::locate_pending() {
+    solve_pending();
+    for (int index = 0; index < static_cast<int>(pending_.size()); ++index) {
+        const Verdict verdict = locate_vertex(index);
+        if (verdict != Verdict::accepted) {
+            return verdict;
+        }
+    }
+    pending_.clear();
+    most_pending_ = std::min(2 * most_pending_, PointLocation::most_points);
     return Verdict::accepted;
 }
 
@@ -165,10 +189,19 @@ std::size_t Validator::vertices_on(const Patch& patch) const {
     return count;
 }
 
-Verdict Validator::find_place(std::int32_t v, Lift& lift) {
+void Validator::solve_pending() {
+    pending_points_.clear();
+    for (const std::int32_t v : pending_) {
+        pending_points_.push_back(scan_->positions[v]);
+    }
+    location_.solve(pending_points_);
+}
+
+Verdict Validator::find_place(int index, Lift& lift) {
     ++trial_.retested;
-    const Verdict verdict = location_.locate(scan_->positions[v], lift);
-    return verdict != Verdict::accepted || options_.constant_directions ? verdict : test_normals_at(v, lift);
+    const Verdict verdict = location_.locate(index, lift);
+    return verdict != Verdict::accepted || options_.constant_directions ? verdict
+                                                                        : test_normals_at(pending_[index], lift);
 }
 
 Verdict Validator::test_normals_at(std::int32_t v, const Lift& lift) const {
@@ -187,9 +220,10 @@ Verdict Validator::test_normals_at(std::int32_t v, const Lift& lift) const {
     return Verdict::accepted;
 }
 
-Verdict Validator::locate_vertex(std::int32_t v) {
+Verdict Validator::locate_vertex(int index) {
+    const std::int32_t v = pending_[index];
     Lift lift{};
-    const Verdict verdict = find_place(v, lift);
+    const Verdict verdict = find_place(index, lift);
     if (verdict != Verdict::accepted) {
         witness_ = v;
         return verdict;

@@ -74,8 +74,12 @@ private:
     [[nodiscard]] Verdict ask_witness();
     [[nodiscard]] Verdict locate_vertices(const Patch& patch);
     [[nodiscard]] std::size_t vertices_on(const Patch& patch) const;
-    [[nodiscard]] Verdict locate_vertex(std::int32_t v);
-    [[nodiscard]] Verdict find_place(std::int32_t v, Lift& lift);
+    [[nodiscard]] Verdict locate_soon(std::int32_t v);
+    [[nodiscard]] Verdict locate_pending();
+    // Of the pending vertex with this index.
+    [[nodiscard]] Verdict locate_vertex(int index);
+    void solve_pending();
+    [[nodiscard]] Verdict find_place(int index, Lift& lift);
     [[nodiscard]] Verdict test_normals_at(std::int32_t v, const Lift& lift) const;
     [[nodiscard]] Verdict reach_kept_corners();
     void find_wall_planes();
@@ -126,6 +130,9 @@ private:
     std::vector<WallPlanes> planes_; ///< of the new cells, over the displacements of the places on them
     std::vector<unsigned> behind_;   ///< for each of the new places, WallPlanes::behind()
     std::vector<std::pair<std::int32_t, Lift>> alternatives_;
+    std::vector<std::int32_t> pending_; ///< scan vertices that are solved for together
+    std::vector<Vec3> pending_points_;
+    std::size_t most_pending_ = 0;
     std::int32_t witness_ = -1;      ///< the scan vertex for which the last patch was refused that was for one
     std::int32_t face_witness_ = -1; ///< the same for scan faces
 

@@ -4,6 +4,7 @@
 #include <foldless/decimate/point_location.h>
 
 #include <utility>
+#include <vector>
 
 namespace foldless {
 namespace {
@@ -30,7 +31,11 @@ protected:
     Verdict locate(const Vec3& q, Uniqueness uniqueness = Uniqueness::in_range) {
         surface_.reset(patch_, false);
         const Verdict ready = location_.reset(surface_, uniqueness);
-        return ready == Verdict::accepted ? location_.locate(q, lift_) : ready;
+        if (ready != Verdict::accepted) {
+            return ready;
+        }
+        location_.solve({&q, 1});
+        return location_.locate(0, lift_);
     }
 
     World world_{pyramid({0.5, 0.25, 0})};
@@ -100,6 +105,32 @@ TEST_F(OnASquare, APointBesideTheSquareHasNoPlace) {
 TEST_F(OnASquare, AFaceThatFoldsAtOnceIsRefusedBeforeAnyPoint) {
     patch_.changed[1].value.direction = Vec3(0, 0, -1);
     EXPECT_EQ(locate({0.25, 0.75, 0.5}), Verdict::jacobian);
+}
+
+TEST_F(OnASquare, ManyPointsHaveTheVerdictsAndPlacesOfEach) {
+    std::vector<Vec3> points;
+    for (std::size_t k = 0; k < PointLocation::most_points; ++k) {
+        const double x = static_cast<double>(k % 9) / 8; // on walls, pillars and the border, too, and beside it
+        const double y = static_cast<double>(k / 9) / 12;
+        points.emplace_back(x, y, 0.5 * x - 0.25);
+    }
+    for (const Uniqueness uniqueness : {Uniqueness::in_range, Uniqueness::fold_free}) {
+        surface_.reset(patch_, false);
+        PointLocation together;
+        ASSERT_EQ(together.reset(surface_, uniqueness), Verdict::accepted);
+        together.solve(points);
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            Lift lift{};
+            const Verdict verdict = together.locate(static_cast<int>(k), lift);
+            ASSERT_EQ(verdict, locate(points[k], uniqueness)) << k;
+            if (verdict == Verdict::accepted) {
+                EXPECT_EQ(lift.cell, lift_.cell) << k;
+                EXPECT_EQ(lift.walls, lift_.walls) << k;
+                EXPECT_EQ(lift.at.t, lift_.at.t) << k;
+                EXPECT_EQ(lift.at.alpha, lift_.at.alpha) << k;
+            }
+        }
+    }
 }
 
 // Two faces opposite each other, at y = 0 and y = 1; q lies before both.

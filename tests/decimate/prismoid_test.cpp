@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdint>
+#include <limits>
+
 namespace foldless {
 namespace {
 
@@ -68,6 +72,44 @@ TEST(Prismoid, HoldsNoSolutionThatItExcludes) {
         }
     }
     EXPECT_GT(excluded, 10000);
+}
+
+/// Compares the parts of a batch with those of its points, bit by bit, in every instruction set.
+void compare_parts(const Prismoid& prismoid, const PointBatch& points) {
+    for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512}) {
+        if (!is_available(set)) {
+            continue;
+        }
+        PointBatch batch = points;
+        const unsigned left = prismoid.displacements(batch, set);
+        EXPECT_EQ(left >> batch.size, 0U);
+        for (int k = 0; k < batch.size; ++k) {
+            const auto part = prismoid.displacements(batch.point(k));
+            ASSERT_EQ((left >> k & 1U) != 0, part.has_value());
+            if (part) {
+                ASSERT_EQ(std::bit_cast<std::uint64_t>(part->lo), std::bit_cast<std::uint64_t>(batch.lo[k]));
+                ASSERT_EQ(std::bit_cast<std::uint64_t>(part->hi), std::bit_cast<std::uint64_t>(batch.hi[k]));
+            }
+        }
+    }
+}
+
+TEST(Prismoid, ExcludesInBatchesWhatItExcludesOneByOne) {
+    RandomTriangles random(4);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < 20000 && !HasFailure(); ++round) {
+        const BaseTriangle triangle = round % 4 == 0 ? random.wild() : random.tame();
+        PointBatch batch;
+        for (int k = 0; k <= round % PointBatch::capacity; ++k) {
+            Vec3 q = round % 2 == 0 ? random.vector(1.5) : displaced(triangle, random.barycentric(), range.lo);
+            if (round % 100 == 0) {
+                q[k % 3] = k % 2 == 0 ? nan : infinity;
+            }
+            batch.push_back(q, {0, 0});
+        }
+        compare_parts(Prismoid(triangle, range), batch);
+    }
 }
 
 TEST(WallPlanes, LeaveEveryPointOfAWallInFront) {

@@ -1,0 +1,12 @@
+#if defined(__x86_64__)
+#define FOLDLESS_AVX2
+#include <foldless/decimate/prismoid_kernel.h>
+
+namespace foldless::avx2_lanes {
+
+FOLDLESS_KERNEL unsigned cull(const Prismoid::Bounds& bounds, PointBatch& points) {
+    return cull_all(bounds, points);
+}
+
+} // namespace foldless::avx2_lanes
+#endif
