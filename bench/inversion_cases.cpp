@@ -1,6 +1,10 @@
 #include <foldless/bench/inversion_cases.h>
 
+#include <foldless/decimate/prismoid.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <random>
 
 namespace foldless {
@@ -48,6 +52,29 @@ std::vector<InversionCase> inversion_cases() {
         made.alpha = random.barycentric();
         made.t = random.displacement();
         made.q = displaced(made.triangle, made.alpha, made.t);
+    }
+    return cases;
+}
+
+std::vector<BatchCase> batch_cases() {
+    constexpr std::size_t batches_per_triangle = 8;
+    RandomCases random;
+    std::vector<BatchCase> cases(case_count);
+    for (std::size_t i = 0; i < case_count; ++i) {
+        BatchCase& made = cases[i];
+        made.triangle = i % batches_per_triangle == 0 ? random.triangle() : cases[i - 1].triangle;
+        for (int k = 0; k < PointBatch::capacity; ++k) {
+            const Vec3 alpha = random.barycentric();
+            const double t = random.displacement();
+            const Vec3 q = displaced(made.triangle, alpha, t);
+            made.inside.push_back(q, bench_range);
+            const Vec3 beside(-alpha[0], alpha[1] + alpha[0], alpha[2] + alpha[0]);
+            const std::array<Vec3, 4> others{q, q, displaced(made.triangle, beside, t),
+                                             displaced(made.triangle, alpha, t + std::copysign(0.4, t))};
+            made.mixed.push_back(others[static_cast<std::size_t>(random.number(0, 4))], bench_range);
+        }
+        made.bracketed = made.inside;
+        static_cast<void>(Prismoid(made.triangle, bench_range).displacements(made.bracketed, InstructionSet::scalar));
     }
     return cases;
 }
