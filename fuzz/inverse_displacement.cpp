@@ -5,11 +5,14 @@
 #include "prismoid_oracle.h"
 #include "require.h"
 
+#include <foldless/predicates/batch_inversion.h>
 #include <foldless/predicates/enclosure.h>
 #include <foldless/predicates/inverse_displacement.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace foldless::fuzz {
@@ -71,6 +74,33 @@ void require_same_in_other_units(const BaseTriangle& triangle, const Vec3& q, By
                  length / direction);
 }
 
+bool same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+bool same_bits(const Preimage& a, const Preimage& b) {
+    return same_bits(a.t, b.t) && same_bits(a.slope, b.slope) && same_bits(a.alpha[0], b.alpha[0]) &&
+           same_bits(a.alpha[1], b.alpha[1]) && same_bits(a.alpha[2], b.alpha[2]);
+}
+
+/// In every instruction set, a batch has the solutions that its points have alone.
+void require_same_in_a_batch(const InverseDisplacement& inverse, const PointBatch& batch) {
+    for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512}) {
+        if (!is_available(set)) {
+            continue;
+        }
+        const BatchInversion inversion(inverse, batch, set);
+        for (int k = 0; k < batch.size; ++k) {
+            const Preimages alone = inverse.preimages(batch.point(k), batch.range(k));
+            const Preimages together = inversion.preimages(k);
+            require(alone.kind == together.kind, "as many solutions in a batch");
+            require(std::equal(alone.begin(), alone.end(), together.begin(), together.end(),
+                               [](const Preimage& a, const Preimage& b) { return same_bits(a, b); }),
+                    "the same solutions in a batch");
+        }
+    }
+}
+
 bool has_solution(const BaseTriangle& triangle, const Vec3& q, const Enclosure& enclosure) {
     using oracle::Rational;
     const oracle::Polynomial cubic = oracle::cubic(triangle, q);
@@ -108,14 +138,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto grain = static_cast<Grain>(bytes.below(grains));
     const BaseTriangle triangle = drawn_any_triangle(bytes, grain);
     const InverseDisplacement inverse(triangle);
+    PointBatch batch;
     do {
         const Vec3 q = bytes.flag() ? drawn_point(bytes, triangle, grain) : drawn_vector(bytes, grain);
         const Preimages preimages = inverse.preimages(q);
         fuzz::require_sound(preimages);
         require_nearest(inverse, q, preimages);
         const double end = drawn_number(bytes, grain);
-        for (const Preimage& preimage : inverse.preimages(q, {std::min(end, 0.0), std::max(end, 0.0)})) {
-            require(std::min(end, 0.0) <= preimage.t && preimage.t <= std::max(end, 0.0), "a range is kept to");
+        const Range range{std::min(end, 0.0), std::max(end, 0.0)};
+        for (const Preimage& preimage : inverse.preimages(q, range)) {
+            require(range.lo <= preimage.t && preimage.t <= range.hi, "a range is kept to");
+        }
+        batch.push_back(q, range);
+        if (batch.size == PointBatch::capacity) {
+            require_same_in_a_batch(inverse, batch);
+            batch.size = 0;
         }
         if (grain != Grain::any) {
             if (is_ordinary(triangle, q)) {
@@ -124,5 +161,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             require_true_enclosures(triangle, q, preimages);
         }
     } while (!bytes.is_empty());
+    require_same_in_a_batch(inverse, batch);
     return 0;
 }
