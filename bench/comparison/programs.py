@@ -32,6 +32,12 @@ def build_peers(sources, build):
     return {name: build / program for name, program in PEERS.items() if program in built}
 
 
+def install_foldless(build, prefix):
+    """The program as its users have it: installed from this build. What installing says goes to standard error."""
+    subprocess.run(["cmake", "--install", build, "--prefix", prefix], stdout=sys.stderr, check=True)
+    return prefix / "bin/foldless"
+
+
 def last_line(words):
     lines = words.strip().splitlines()
     return lines[-1] if lines else "no message"
