@@ -2,11 +2,11 @@
 
 #include <foldless/io/write_mesh.h>
 
+#include "file_size_limit.h"
 #include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -127,26 +127,6 @@ TEST(AtomicFile, RefusesNamesThatTheSystemDoesNotHave) {
     write_text(folder.path() / std::string(255, 'a'), "new");
     EXPECT_EQ(folder.names(), Names{std::string(255, 'a')}) << "the longest name there is";
 }
-
-/// No file may grow beyond this many bytes while this lives.
-class FileSizeLimit {
-public:
-    explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit{bytes, before_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-private:
-    rlimit before_{};
-    void (*handler_)(int);
-};
 
 TEST(AtomicFile, LeavesTheOldFileWhenThereIsNoMoreRoom) {
     const TemporaryFolder folder;
