@@ -19,8 +19,9 @@ MAY_INCLUDE = {
     "decimate": {"predicates", "io"},
     "verify": {"predicates", "io"},
     "repair": {"predicates", "io"},
-    "report": {"predicates", "io", "decimate", "verify", "repair"},
-    "tools": {"predicates", "io", "decimate", "verify", "repair", "report"},
+    "bake": {"predicates", "io", "decimate", "verify"},
+    "report": {"predicates", "io", "decimate", "verify", "repair", "bake"},
+    "tools": {"predicates", "io", "decimate", "verify", "repair", "bake", "report"},
     "models": {"predicates", "io"},
 }
 
