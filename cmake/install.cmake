@@ -18,8 +18,8 @@ if(FOLDLESS_BUILD_TOOLS)
 endif()
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
-# The package finds what the exported targets name, no more: the part before `::` of each, or OpenMesh, whose targets
-# have no such part.
+# The package finds what the exported targets name, no more: the part before `::` of each, or OpenMesh or Embree, whose
+# targets have no such part.
 function(foldless_packages_of_exported_targets result)
   set(packages)
   foreach(layer IN LISTS FOLDLESS_INSTALLED_LAYERS)
@@ -30,6 +30,8 @@ function(foldless_packages_of_exported_targets result)
         list(APPEND packages ${CMAKE_MATCH_1})
       elseif(library MATCHES "OpenMesh(Core|Tools)")
         list(APPEND packages OpenMesh)
+      elseif(library MATCHES "embree")
+        list(APPEND packages embree)
       endif()
     endforeach()
   endforeach()
