@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 set(FOLDLESS_PACKAGE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/foldless")
-set(FOLDLESS_INSTALLED_LAYERS predicates io decimate verify repair bake report)
+set(FOLDLESS_INSTALLED_LAYERS predicates io images decimate verify repair bake report)
 
 foreach(layer IN LISTS FOLDLESS_INSTALLED_LAYERS)
   install(TARGETS foldless_${layer} EXPORT foldlessTargets)

@@ -17,6 +17,11 @@ TEST(FileType, IsThatOfTheExtensionWhateverItsCase) {
     }
 }
 
+TEST(LowerCaseExtension, KeepsItsDot) {
+    EXPECT_EQ(lower_case_extension("a.b.PnG"), ".png");
+    EXPECT_EQ(lower_case_extension("/x.y/a"), "");
+}
+
 TEST(FileType, UnknownOnesAreNotRead) {
     EXPECT_EQ(unreadable("a.xyz", "0 0 0"), "a.xyz: unknown file type; .ply, .obj, .off and .stl can be read");
 }

@@ -16,6 +16,7 @@ from pathlib import Path
 MAY_INCLUDE = {
     "predicates": set(),
     "io": {"predicates"},
+    "images": {"predicates", "io"},
     "decimate": {"predicates", "io"},
     "verify": {"predicates", "io"},
     "repair": {"predicates", "io"},
