@@ -7,6 +7,7 @@
 #include <foldless/verify/interior_samples.h>
 #include <foldless/verify/needed_ranges.h>
 #include <foldless/verify/requirements.h>
+#include <foldless/verify/surface_map.h>
 #include <foldless/verify/topology_checks.h>
 
 #include <foldless/predicates/default_arithmetic.h>
@@ -62,7 +63,33 @@ void summarise_displacements(const Correspondents& all, const Adjacency& scan_ad
     result.rms_displacement = count == 0 ? 0.0 : std::sqrt(sum_of_squares / static_cast<double>(count));
 }
 
-VerifyResult run(const BaseMesh& base, const Scan& scan, const VerifyOptions& options) {
+/// The scan face that a frozen base face is.
+std::int32_t frozen_scan_face(const Meshes& meshes, std::int32_t base_face) {
+    const Triangle& corners = meshes.base.faces[base_face];
+    return meshes.scan_adjacency.face_with(meshes.kept.scan_of[corners[0]], meshes.kept.scan_of[corners[1]]);
+}
+
+SurfaceMap surface_map(const BaseFaces& faces, const Meshes& meshes, const Meetings& meetings) {
+    SurfaceMap map;
+    map.scan_faces.reserve(meetings.size() + faces.frozen_count());
+    auto meeting = meetings.begin();
+    for (std::int32_t face = 0; face < static_cast<std::int32_t>(meshes.base.faces.size()); ++face) {
+        map.first.push_back(map.scan_faces.size());
+        map.ranges.push_back(faces.is_moving(face) ? faces.face(face).range : Range{0.0, 0.0});
+        map.frozen.push_back(!faces.is_moving(face));
+        if (!faces.is_moving(face)) {
+            map.scan_faces.push_back(frozen_scan_face(meshes, face));
+        }
+        for (; meeting != meetings.end() && meeting->first == face; ++meeting) {
+            map.scan_faces.push_back(meeting->second);
+        }
+    }
+    map.first.push_back(map.scan_faces.size());
+    return map;
+}
+
+/// \param map where the surface map is kept, or null
+VerifyResult run(const BaseMesh& base, const Scan& scan, const VerifyOptions& options, SurfaceMap* map) {
     require_usable(base, scan);
     VerifyResult result;
     Findings findings;
@@ -114,6 +141,9 @@ VerifyResult run(const BaseMesh& base, const Scan& scan, const VerifyOptions& op
     findings.write(result);
     result.ambiguous_vertices = association.ambiguous_vertices;
     summarise_displacements(all, scan_adjacency, result);
+    if (map != nullptr && !result.cancelled) {
+        *map = surface_map(faces, meshes, meetings);
+    }
     return result;
 }
 
@@ -124,13 +154,23 @@ int concurrency(const VerifyOptions& options) {
     return std::min(options.threads.value_or(allowed), allowed);
 }
 
-} // namespace
-
-VerifyResult verify(const BaseMesh& base, const Scan& scan, const VerifyOptions& options) {
+VerifyResult run_on_threads(const BaseMesh& base, const Scan& scan, const VerifyOptions& options, SurfaceMap* map) {
     require_sensible(options);
     const DefaultArithmetic arithmetic;
     tbb::task_arena arena(concurrency(options)); // its threads compute as this one does
-    return arena.execute([&] { return run(base, scan, options); });
+    return arena.execute([&] { return run(base, scan, options, map); });
+}
+
+} // namespace
+
+VerifyResult verify(const BaseMesh& base, const Scan& scan, const VerifyOptions& options) {
+    return run_on_threads(base, scan, options, nullptr);
+}
+
+MappedSurface map_surface(const BaseMesh& base, const Scan& scan, const VerifyOptions& options) {
+    MappedSurface result;
+    result.certificate = run_on_threads(base, scan, options, &result.map);
+    return result;
 }
 
 } // namespace foldless

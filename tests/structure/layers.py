@@ -20,9 +20,9 @@ MAY_INCLUDE = {
     "decimate": {"predicates", "io"},
     "verify": {"predicates", "io"},
     "repair": {"predicates", "io"},
-    "bake": {"predicates", "io", "decimate", "verify"},
-    "report": {"predicates", "io", "decimate", "verify", "repair", "bake"},
-    "tools": {"predicates", "io", "decimate", "verify", "repair", "bake", "report"},
+    "bake": {"predicates", "io", "images", "decimate", "verify"},
+    "report": {"predicates", "io", "decimate", "verify", "repair", "images", "bake"},
+    "tools": {"predicates", "io", "decimate", "verify", "repair", "images", "bake", "report"},
     "models": {"predicates", "io"},
 }
 
