@@ -36,8 +36,8 @@ Legs legs_of(const BaseMesh& base, const Triangle& face) {
 /// Two faces in one rectangle, or one face and nothing.
 struct Pair {
     std::int32_t first;
-    std::int32_t second; ///< or -1
-    Lattice lattice;     ///< of both
+    std::int32_t second;   ///< or -1
+    SampleLattice lattice; ///< of both
 };
 
 /// Texels between the two long edges of a pair: both gutters, and the rounding of both edges.
@@ -82,7 +82,7 @@ public:
     }
 
 private:
-    [[nodiscard]] Lattice lattice(const Legs& legs, double scale) const {
+    [[nodiscard]] SampleLattice lattice(const Legs& legs, double scale) const {
         const auto texels = [&](double length) {
             return static_cast<int>(std::clamp(std::round(length * scale), 1.0, static_cast<double>(options_.size)));
         };
@@ -91,7 +91,7 @@ private:
 
     /// Faces of about the same size share a rectangle, as large as the larger one needs it.
     [[nodiscard]] std::vector<Pair> paired(double scale) const {
-        std::vector<Lattice> lattices;
+        std::vector<SampleLattice> lattices;
         lattices.reserve(legs_.size());
         for (const Legs& legs : legs_) {
             lattices.push_back(lattice(legs, scale));
@@ -99,18 +99,18 @@ private:
         std::vector<std::int32_t> order(legs_.size());
         std::iota(order.begin(), order.end(), 0);
         const auto key = [&](std::int32_t face) {
-            const Lattice& size = lattices[face];
+            const SampleLattice& size = lattices[face];
             return std::array{bracket(size.rows), size.columns, size.rows, face};
         };
         std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return key(a) > key(b); });
         std::vector<Pair> pairs;
         for (std::size_t i = 0; i < order.size(); i += 2) {
-            const Lattice& first = lattices[order[i]];
+            const SampleLattice& first = lattices[order[i]];
             if (i + 1 == order.size()) {
                 pairs.push_back({order[i], -1, first});
                 break;
             }
-            const Lattice& second = lattices[order[i + 1]];
+            const SampleLattice& second = lattices[order[i + 1]];
             pairs.push_back(
                 {order[i], order[i + 1], {std::max(first.columns, second.columns), std::max(first.rows, second.rows)}});
         }

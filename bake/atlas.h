@@ -2,7 +2,7 @@
 /// A picture with one chart for each base face.
 #pragma once
 
-#include <foldless/bake/lattice.h>
+#include <foldless/bake/sample_lattice.h>
 
 #include <foldless/io/base_mesh.h>
 #include <foldless/predicates/vector.h>
@@ -27,7 +27,7 @@ namespace foldless {
 ///               column x     x + columns
 struct Chart {
     int corner = 0;
-    Lattice lattice;
+    SampleLattice lattice;
     int x = 0; ///< column of the texel of the corner at the right angle
     int y = 0; ///< row from the top
     bool turned = false;

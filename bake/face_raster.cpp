@@ -2,7 +2,7 @@
 
 #include <foldless/bake/edge_rows.h>
 #include <foldless/bake/image_box.h>
-#include <foldless/bake/passage.h>
+#include <foldless/bake/piercing.h>
 
 #include <foldless/predicates/rounding.h>
 
@@ -65,7 +65,7 @@ private:
 
     void claim(int i, int j, std::int32_t face, const ScanTriangle& q) {
         const SampleLine line(triangle_, samples_.lattice.weights(i, j));
-        const std::optional<Passage> passed = passage(line, q);
+        const std::optional<Piercing> passed = piercing(line, q);
         if (!passed || passed->t < range_.lo - slack_ || passed->t > range_.hi + slack_) {
             return;
         }
@@ -93,7 +93,7 @@ private:
 } // namespace
 
 FaceSamples rasterise(const BaseTriangle& triangle, Range range, const Scan& scan, std::span<const std::int32_t> over,
-                      const Lattice& lattice) {
+                      const SampleLattice& lattice) {
     FaceSamples samples(lattice, range);
     Raster raster(triangle, range, scan, samples);
     for (const std::int32_t face : over) {

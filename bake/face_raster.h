@@ -2,7 +2,7 @@
 /// Which point of the scan belongs to each sample of a base face.
 #pragma once
 
-#include <foldless/bake/lattice.h>
+#include <foldless/bake/sample_lattice.h>
 
 #include <foldless/io/scan.h>
 #include <foldless/predicates/vector.h>
@@ -26,13 +26,13 @@ struct ScanPoint {
 
 /// The samples of one base face.
 struct FaceSamples {
-    Lattice lattice;
+    SampleLattice lattice;
     Range range;                   ///< of the displacements
     std::vector<ScanPoint> points; ///< at index(i, j); those outside the triangle do not count
     std::size_t contested = 0;     ///< samples to which two faces at different displacements laid claim
 
     /// Nothing is covered yet.
-    FaceSamples(const Lattice& samples, Range displacements)
+    FaceSamples(const SampleLattice& samples, Range displacements)
         : lattice(samples), range(displacements),
           points(static_cast<std::size_t>(samples.columns + 1) * static_cast<std::size_t>(samples.rows + 1)) {}
 
@@ -56,6 +56,6 @@ struct FaceSamples {
 /// \param over scan faces, ascending
 /// Time: that of all samples, and for each scan face over the base face of the samples in its box.
 [[nodiscard]] FaceSamples rasterise(const BaseTriangle& triangle, Range range, const Scan& scan,
-                                    std::span<const std::int32_t> over, const Lattice& lattice);
+                                    std::span<const std::int32_t> over, const SampleLattice& lattice);
 
 } // namespace foldless

@@ -16,7 +16,7 @@ std::array<int, 3> corners_of(const BaseTriangle& frozen, const Scan& scan, std:
 }
 
 FaceSamples frozen_samples(const BaseTriangle& triangle, const Scan& scan, std::int32_t scan_face,
-                           const Lattice& lattice) {
+                           const SampleLattice& lattice) {
     const std::array<int, 3> corner = corners_of(triangle, scan, scan_face);
     FaceSamples samples(lattice, {0.0, 0.0});
     for (int j = 0; j <= lattice.rows; ++j) {

@@ -16,7 +16,7 @@ namespace foldless {
 struct LatticeOnFace {
     std::int32_t face;
     int first; ///< the corner whose coordinate is alpha_0 of the lattice; the others follow it
-    Lattice lattice;
+    SampleLattice lattice;
 };
 
 /// The corners from `first` on, with their directions; with constant face directions that of the face at each.

@@ -1,8 +1,8 @@
-#include <foldless/bake/passage.h>
+#include <foldless/bake/piercing.h>
 
 namespace foldless {
 
-std::optional<Passage> passage(const SampleLine& line, const ScanTriangle& triangle) {
+std::optional<Piercing> piercing(const SampleLine& line, const ScanTriangle& triangle) {
     Vec3 weights;
     for (int k = 0; k < 3; ++k) {
         const SampleLine::Side side = line.side(triangle[(k + 1) % 3], triangle[(k + 2) % 3]);
@@ -19,7 +19,7 @@ std::optional<Passage> passage(const SampleLine& line, const ScanTriangle& trian
     weights /= sum;
     const Vec3 point = weights[0] * triangle[0] + weights[1] * triangle[1] + weights[2] * triangle[2];
     const Vec3& d = line.direction();
-    return Passage{weights, (point - line.point()).dot(d) / d.squaredNorm()};
+    return Piercing{weights, (point - line.point()).dot(d) / d.squaredNorm()};
 }
 
 } // namespace foldless

@@ -19,7 +19,7 @@ namespace foldless {
 ///                 |     \                                                                                         .
 ///           j = 0 o---o---o
 ///             i = 0     i = columns
-struct Lattice {
+struct SampleLattice {
     int columns = 1; ///< >= 1, at most max_side
     int rows = 1;    ///< >= 1, at most max_side
 
