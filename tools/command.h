@@ -53,6 +53,28 @@ struct RepairCommand {
     bool quiet = false;
 };
 
+/// `foldless bake`
+struct BakeCommand {
+    std::filesystem::path base;
+    std::filesystem::path scan;
+    std::filesystem::path folder;
+    int atlas = 2048; ///< texels on a side
+    bool vector = true;
+    bool normal = true;
+    std::optional<int> threads;
+    bool quiet = false;
+};
+
+/// `foldless reconstruct`
+struct ReconstructCommand {
+    std::filesystem::path base;
+    std::filesystem::path maps; ///< the folder
+    std::filesystem::path output;
+    int level = 5; ///< each base face becomes 4^level
+    std::optional<int> threads;
+    bool quiet = false;
+};
+
 /// `foldless info`
 struct InfoCommand {
     std::filesystem::path mesh;
@@ -64,6 +86,7 @@ struct PrintCommand {
     std::string text;
 };
 
-using Command = std::variant<SimplifyCommand, VerifyCommand, RepairCommand, InfoCommand, PrintCommand>;
+using Command = std::variant<SimplifyCommand, VerifyCommand, RepairCommand, BakeCommand, ReconstructCommand,
+                             InfoCommand, PrintCommand>;
 
 } // namespace foldless

@@ -4,6 +4,7 @@
 #include <foldless/io/printable.h>
 #include <foldless/report/option_names.h>
 #include <foldless/report/version.h>
+#include <foldless/tools/bake_arguments.h>
 #include <foldless/tools/distinct_files.h>
 #include <foldless/tools/option_values.h>
 #include <foldless/tools/repair_arguments.h>
@@ -129,6 +130,28 @@ void declare_repair(CLI::App& app, RepairArguments& arguments) {
     app.add_flag("--quiet", arguments.quiet, "print errors only");
 }
 
+void declare_bake(CLI::App& app, BakeArguments& arguments) {
+    app.add_option("BASE", arguments.base, "a base mesh that represents the scan: .ply or .obj")->required();
+    app.add_option("SCAN", arguments.scan, "the scan: .ply, .obj, .off or .stl")->required();
+    app.add_option("-o,--output", arguments.folder, "the folder to write the maps into")->required()->type_name("DIR");
+    app.add_option("--atlas", arguments.atlas, "texels on a side of the maps, 2048 by default")->type_name("N");
+    app.add_option("--maps", arguments.maps, "which maps: some of displacement,vector,normal; all by default")
+        ->type_name("LIST");
+    app.add_option("--threads", arguments.threads, "default: all cores; the result does not depend on it")
+        ->type_name("N");
+    declare_flag(app, "--quiet", arguments.quiet, "print violations and errors only");
+}
+
+void declare_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
+    app.add_option("BASE", arguments.base, "the base mesh: .ply or .obj")->required();
+    app.add_option("MAPS", arguments.maps, "the folder that foldless bake wrote")->required();
+    app.add_option("-o,--output", arguments.output, "the surface to write: .ply or .obj")->required()->type_name("OUT");
+    app.add_option("--level", arguments.level, "each face becomes 4^N faces, 5 by default")->type_name("N");
+    app.add_option("--threads", arguments.threads, "default: all cores; the result does not depend on it")
+        ->type_name("N");
+    declare_flag(app, "--quiet", arguments.quiet, "print errors only");
+}
+
 void declare_info(CLI::App& app, InfoArguments& arguments) {
     app.add_option("MESH", arguments.mesh, "a scan or a base mesh")->required();
     declare_flag(app, "--json", arguments.json, "print a report for other programs");
@@ -179,10 +202,14 @@ private:
     SimplifyArguments simplify_;
     VerifyArguments verify_;
     RepairArguments repair_;
+    BakeArguments bake_;
+    ReconstructArguments reconstruct_;
     InfoArguments info_;
     CLI::App* simplify_app_;
     CLI::App* verify_app_;
     CLI::App* repair_app_;
+    CLI::App* bake_app_;
+    CLI::App* reconstruct_app_;
     CLI::App* info_app_;
 };
 
@@ -190,6 +217,8 @@ Parser::Parser()
     : simplify_app_(add_command("simplify", "decimate a scan into a displacement-mappable base mesh")),
       verify_app_(add_command("verify", "re-prove, from the files alone, that BASE represents SCAN")),
       repair_app_(add_command("repair", "write a scan without the defects for which simplify refuses it")),
+      bake_app_(add_command("bake", "bake the displacement of a base mesh and other maps of the scan into pictures")),
+      reconstruct_app_(add_command("reconstruct", "give the scan back from a base mesh and its baked displacement")),
       info_app_(add_command("info", "counts, topology, defects, and what simplify would say of a mesh")) {
     app_.set_version_flag("--version", fmt::format("foldless {}", version()), "print the version and exit");
     app_.set_help_flag("-h,--help", "print this help and exit");
@@ -198,6 +227,8 @@ Parser::Parser()
     declare_simplify(*simplify_app_, simplify_);
     declare_verify(*verify_app_, verify_);
     declare_repair(*repair_app_, repair_);
+    declare_bake(*bake_app_, bake_);
+    declare_reconstruct(*reconstruct_app_, reconstruct_);
     declare_info(*info_app_, info_);
 }
 
@@ -271,10 +302,16 @@ Command Parser::parse(int argc, const char* const* argv) {
     if (*repair_app_) {
         return repair_command(repair_);
     }
+    if (*bake_app_) {
+        return bake_command(bake_);
+    }
+    if (*reconstruct_app_) {
+        return reconstruct_command(reconstruct_);
+    }
     if (*info_app_) {
         return InfoCommand{file_name({"MESH", info_.mesh}), info_.json};
     }
-    throw WrongUsage("a command is missing: simplify, verify, repair or info (see foldless --help)");
+    throw WrongUsage("a command is missing: simplify, verify, repair, bake, reconstruct or info (see foldless --help)");
 }
 
 } // namespace

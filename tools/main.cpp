@@ -1,11 +1,13 @@
 /// \file
 /// The program `foldless`.
 
+#include <foldless/tools/bake.h>
 #include <foldless/tools/command_line.h>
 #include <foldless/tools/exit_code.h>
 #include <foldless/tools/failure.h>
 #include <foldless/tools/info.h>
 #include <foldless/tools/large_blocks.h>
+#include <foldless/tools/reconstruct.h>
 #include <foldless/tools/repair.h>
 #include <foldless/tools/signals.h>
 #include <foldless/tools/simplify.h>

@@ -18,18 +18,10 @@ namespace foldless {
 namespace {
 
 // More threads than any machine has cores for today, and few enough that the system can start them.
-constexpr std::int64_t most_threads = 1024;
+constexpr int most_threads = 1024;
 
 [[noreturn]] void refuse(const OptionText& text, std::string_view wanted) {
     throw WrongUsage(fmt::format("{} takes {}, not {}", text.option, wanted, in_quotes(text.text)));
-}
-
-std::int64_t whole_number(const OptionText& text, std::int64_t most, std::string_view wanted) {
-    const Parsed<std::int64_t> parsed = parse_integer(text.text);
-    if (!parsed.ok() || parsed.value < 1 || parsed.value > most) {
-        refuse(text, wanted);
-    }
-    return parsed.value;
 }
 
 /// The finite number that the text spells, or NaN.
@@ -41,12 +33,23 @@ double finite_number(std::string_view text) {
 } // namespace
 
 std::size_t face_count(const OptionText& text) {
-    return static_cast<std::size_t>(
-        whole_number(text, std::numeric_limits<std::int64_t>::max(), "a whole number of faces, at least 1"));
+    const Parsed<std::int64_t> parsed = parse_integer(text.text);
+    if (!parsed.ok() || parsed.value < 1) {
+        refuse(text, "a whole number of faces, at least 1");
+    }
+    return static_cast<std::size_t>(parsed.value);
+}
+
+int whole_number(const OptionText& text, const std::pair<int, int>& bounds) {
+    const Parsed<std::int64_t> parsed = parse_integer(text.text);
+    if (!parsed.ok() || parsed.value < bounds.first || parsed.value > bounds.second) {
+        refuse(text, fmt::format("a whole number from {} to {}", bounds.first, bounds.second));
+    }
+    return static_cast<int>(parsed.value);
 }
 
 int thread_count(const OptionText& text) {
-    return static_cast<int>(whole_number(text, most_threads, "a whole number from 1 to 1024"));
+    return whole_number(text, {1, most_threads});
 }
 
 double ratio(const OptionText& text) {

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace foldless {
 
@@ -20,7 +21,8 @@ struct OptionText {
 
 // Each throws WrongUsage with the option, what it takes, and what it was given.
 
-[[nodiscard]] std::size_t face_count(const OptionText& text);          ///< a whole number of at least 1
+[[nodiscard]] std::size_t face_count(const OptionText& text); ///< a whole number of at least 1
+[[nodiscard]] int whole_number(const OptionText& text, const std::pair<int, int>& bounds); ///< within the bounds
 [[nodiscard]] int thread_count(const OptionText& text);                ///< a whole number from 1 to 1024
 [[nodiscard]] double ratio(const OptionText& text);                    ///< above 0, at most 1
 [[nodiscard]] double seconds(const OptionText& text);                  ///< finite, at least 0

@@ -12,6 +12,7 @@
 #include <foldless/report/summary.h>
 #include <foldless/tools/console.h>
 #include <foldless/tools/input.h>
+#include <foldless/tools/plain_mesh.h>
 
 #include <fmt/format.h>
 
@@ -38,15 +39,6 @@ Topology topology_of_repaired(const Scan& scan) {
         throw std::logic_error(fmt::format("the repair left {}", inspection.defects.text()));
     }
     return inspection.topology;
-}
-
-/// A scan is written as a base mesh that has positions and faces alone.
-BaseMesh without_directions(Scan scan) {
-    BaseMesh mesh;
-    mesh.positions = std::move(scan.positions);
-    mesh.faces = std::move(scan.faces);
-    mesh.float32 = scan.float32;
-    return mesh;
 }
 
 struct Repaired {

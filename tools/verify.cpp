@@ -9,6 +9,7 @@
 #include <foldless/report/process_usage.h>
 #include <foldless/report/summary.h>
 #include <foldless/report/violations_ply.h>
+#include <foldless/tools/base_input.h>
 #include <foldless/tools/input.h>
 #include <foldless/tools/threads.h>
 
@@ -21,12 +22,6 @@
 namespace foldless {
 
 namespace {
-
-BaseMesh read_base(const std::filesystem::path& path, const Console& console) {
-    ReadBaseMesh read = read_base_mesh(path);
-    note_ignored(path, read.notes, console);
-    return std::move(read.base);
-}
 
 DisplacementStatistics displacement_of(const VerifyResult& result, const Scan& scan) {
     return with_share_of_diagonal({result.min_displacement, result.max_displacement, result.rms_displacement},
