@@ -4,8 +4,10 @@
 #include <foldless/images/png_handles.h>
 #include <foldless/images/rows.h>
 #include <foldless/images/unreadable_image.h>
+#include <foldless/io/byte_order.h>
 #include <foldless/io/file_bytes.h>
 
+#include <cstdint>
 #include <cstring>
 
 namespace foldless {
@@ -16,6 +18,23 @@ namespace {
 constexpr double most_expansion = 1032;
 
 constexpr std::size_t signature_size = 8;
+
+/// The library takes the memory that a chunk claims before it looks for the bytes.
+void require_chunks_within(std::string_view bytes) {
+    constexpr std::size_t frame_size = 12; // length, kind and check sum
+    std::string_view kind;
+    for (std::string_view rest = bytes.substr(signature_size); kind != "IEND";) {
+        if (rest.size() < frame_size) {
+            throw LibraryFailure("the file ends too early");
+        }
+        const auto length = load<std::uint32_t>(rest.data(), std::endian::big);
+        if (length > rest.size() - frame_size) {
+            throw LibraryFailure("the file ends too early");
+        }
+        kind = rest.substr(sizeof(std::uint32_t), sizeof(std::uint32_t));
+        rest.remove_prefix(frame_size + length);
+    }
+}
 
 extern "C" void png_read_from_view(png_structp png, png_bytep bytes, std::size_t size) {
     auto* rest = static_cast<std::string_view*>(png_get_io_ptr(png));
@@ -88,6 +107,7 @@ public:
             png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, signature_size) != 0) {
             throw LibraryFailure("it does not start like one");
         }
+        require_chunks_within(bytes);
     }
 
     ReadImage read() {

@@ -54,6 +54,17 @@ TEST(LyingHeader, OfPngTakesNoMemory) {
     EXPECT_LT(peak_memory() - before, little_memory);
 }
 
+TEST(LyingHeader, OfPngChunksTakesNoMemory) {
+    const long before = peak_memory();
+    for (const char* kind : {"tEXt", "zTXt", "iCCP", "teSt", "PLTE", "IDAT"}) {
+        std::string lie = png_chunk(kind, "");
+        lie.replace(0, 4, "\x7f\xff\xff\xff");
+        EXPECT_EQ(unreadable_image_text("a.png", bytes_of({1, 1, 8, 0, {1}, false, lie})),
+                  "a.png: not a readable PNG file: the file ends too early");
+    }
+    EXPECT_LT(peak_memory() - before, little_memory);
+}
+
 TEST(LyingHeader, OfPngTakesMemoryAsRowsArrive) {
     const long before = peak_memory();
     const std::string padding = png_chunk("teSt", std::string(2 << 20, 'x')); // room for what the header claims
