@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace foldless {
@@ -24,6 +25,16 @@ bool is_line_end(char c) {
 // No printable character and no byte of UTF-8 is at or below the blank.
 bool ends_token(char c) {
     return static_cast<unsigned char>(c) <= ' ';
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && is_blank(text.back())) {
+        text.remove_suffix(1);
+    }
+    return text;
 }
 
 template <class Number>
@@ -85,6 +96,18 @@ std::string_view TextCursor::token_of_any_line() {
         return token();
     }
     return {};
+}
+
+std::string_view TextCursor::rest_of_line() const {
+    const std::size_t end = std::min(text_.find_first_of("\r\n", position_), text_.size());
+    const auto starts_note = [this](std::size_t at) {
+        return starts_comment(at) && (at == position_ || is_blank(text_[at - 1]));
+    };
+    std::size_t last = position_;
+    while (last < end && !starts_note(last)) {
+        ++last;
+    }
+    return trimmed(text_.substr(position_, last - position_));
 }
 
 double TextCursor::real(std::string_view what) {

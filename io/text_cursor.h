@@ -34,6 +34,10 @@ public:
     /// The next token of the line or of those that follow, empty at the end of the text.
     [[nodiscard]] std::string_view token_of_any_line();
 
+    /// What is left of the line as a name: without blanks at its ends, and without a comment, which here starts behind
+    /// a blank only, for names of files may have a `#`. It is not taken, and no continuation belongs to it.
+    [[nodiscard]] std::string_view rest_of_line() const;
+
     /// Numbers; `what` names them in messages, e.g. "x", and may come from the file.
     [[nodiscard]] double real(std::string_view what);
     [[nodiscard]] float real32(std::string_view what);

@@ -60,6 +60,27 @@ TEST(TextCursor, SkipsWhatIsLeftOfALineAndItsContinuation) {
     EXPECT_EQ(cursor.token(), "d");
 }
 
+TEST(TextCursor, TellsTheRestOfALineWithoutTakingIt) {
+    struct Rest {
+        const char* line;
+        const char* rest;
+    };
+    const Rest cases[] = {{"k  a b\t\r\nc", "a b"},     {"k", ""},      {"k \t", ""},
+                          {"k a#1.png # b", "a#1.png"}, {"k # a", ""},  {"k#a", ""},
+                          {"k a \\\nb", "a \\"},        {"k a\rb", "a"}};
+    for (const auto& [line, rest] : cases) {
+        TextCursor cursor(line, "f", all_options);
+        ASSERT_TRUE(cursor.next_line());
+        EXPECT_EQ(cursor.token(), "k");
+        EXPECT_EQ(cursor.rest_of_line(), rest) << line;
+        EXPECT_EQ(cursor.rest_of_line(), rest) << line;
+    }
+    TextCursor without_comments("k # a\n", "f", {});
+    ASSERT_TRUE(without_comments.next_line());
+    EXPECT_EQ(without_comments.token(), "k");
+    EXPECT_EQ(without_comments.rest_of_line(), "# a");
+}
+
 TEST(TextCursor, NamesFileLineAndReason) {
     const auto fail = [](std::string_view text) {
         return message_of<UnreadableFile>([&] {
