@@ -4,6 +4,7 @@
 
 #include "require.h"
 
+#include <foldless/io/complete_appearance.h>
 #include <foldless/io/defects.h>
 #include <foldless/io/errors.h>
 #include <foldless/io/raw_mesh.h>
@@ -46,11 +47,36 @@ inline void require_sound(const RawMesh& mesh) {
     }
 }
 
+/// There is a value for each vertex or face, or none; colours are in range and materials are known.
+inline void require_sound_appearance(const RawMesh& mesh) {
+    const RawAppearance& appearance = mesh.appearance;
+    const auto fits = [](std::size_t size, std::size_t count) { return size == 0 || size == count; };
+    require(fits(appearance.colours.size(), mesh.positions.size()), "a colour for each vertex, or none");
+    require(fits(appearance.texture_coordinates.size(), mesh.faces.size()),
+            "a texture triangle for each face, or none");
+    require(fits(appearance.material_of_face.size(), mesh.faces.size()), "a material for each face, or none");
+    for (const Eigen::Vector3f& colour : appearance.colours) {
+        require(colour.minCoeff() >= 0.0F && colour.maxCoeff() <= 1.0F, "a colour is in [0, 1]"); // false for NaN
+    }
+    for (const TextureTriangle& triangle : appearance.texture_coordinates) {
+        for (const Eigen::Vector2f& corner : triangle) {
+            require(corner.allFinite() || corner.hasNaN(), "a texture coordinate is finite or missing");
+        }
+    }
+    for (const std::int32_t material : appearance.material_of_face) {
+        require(material >= -1 && material < static_cast<std::int64_t>(appearance.materials.size()),
+                "a material is known, or none");
+    }
+}
+
 /// Reads; what comes out is sound, or the bytes are refused in one line.
 template <class Read>
 void require_read_or_refused(const Read& read) {
     try {
-        require_sound(read());
+        RawMesh mesh = read();
+        require_sound(mesh);
+        complete_appearance(mesh);
+        require_sound_appearance(mesh);
     } catch (const UnreadableFile& error) {
         require_one_line(error.what());
     }

@@ -80,6 +80,37 @@ def obj(normals):
     )
 
 
+def coloured_ply():
+    """With the colours and texture coordinates of vertices."""
+    header = ply_header("ascii", "float", "red green blue s t")
+    body = [numbers((*corner, 0.5, 0, 1, *corner[:2])) for corner in CORNERS]
+    return header + lines(*body, *[numbers((3, *face)) for face in FACES])
+
+
+def textured_ply():
+    """With the texture coordinates of corners, and bytes as colours."""
+    vertex, face = struct.Struct("<3f3B"), struct.Struct("<B3iB6fB")
+    header = lines(
+        "ply", "format binary_little_endian 1.0", "comment TextureFile a b.png", f"element vertex {len(CORNERS)}",
+        *[f"property float {name}" for name in "xyz"], *[f"property uchar {name}" for name in ("red", "green", "blue")],
+        f"element face {len(FACES)}", "property list uchar int vertex_indices", "property list uchar float texcoord",
+        "property uchar texnumber", "end_header",
+    )
+    return (
+        header
+        + b"".join(vertex.pack(*corner, 255, 9, 0) for corner in CORNERS)
+        + b"".join(face.pack(3, *corners, 6, 0, 0, 1, 0, 0, 1, 0) for corners in FACES)
+    )
+
+
+def textured_obj():
+    return lines(
+        "mtllib a.mtl", *["v " + numbers((*corner, 1, 0.5, 0)) for corner in CORNERS],
+        *["vt " + numbers(corner[:2]) for corner in CORNERS], "usemtl a b",
+        *["f " + " ".join(f"{index + 1}/{index - 4}" for index in face) for face in FACES],
+    )
+
+
 def off(header):
     colour = " 255 0 0" if header == "COFF" else ""
     return lines(
@@ -105,6 +136,10 @@ def binary_stl():
 
 QUADS_OFF = lines("OFF", "4 1 4", "0 0 0", "1 0 0", "1 1 0", "0 1 0", "4 0 1 2 3")
 
+TEXTURED_OFF = lines("STCOFF", "3 1 0", "0 0 0 1 0 0 0 0", "1 0 0 0 1 0 1 0", "0 1 0 0 0 1 0 1", "3 0 1 2 255 0 0")
+
+MATERIALS = lines("newmtl a b", "Kd 1 1 1", "map_Kd -s 2 1 1 -clamp on c d.png", "newmtl e", "map_Kd ..\\f.png # g")
+
 COMMAND_LINES = [
     ["--help"], ["simplify", "--version"], ["info", "mesh.stl", "--json"],
     ["simplify", "scan.ply", "-o", "base.ply", "--faces", "100", "--report", "r.json", "--correspondence", "c.ply"],
@@ -122,11 +157,13 @@ def drawn():
 
 
 SEEDS = {
-    "read_ply": [ascii_ply(), binary_ply("<"), binary_ply(">"), binary_ply("<", base=True), ascii_base_ply()],
-    "read_obj": [obj(normals=False), obj(normals=True)],
-    "read_off": [off("OFF"), off("COFF"), QUADS_OFF],
+    "read_ply": [ascii_ply(), binary_ply("<"), binary_ply(">"), binary_ply("<", base=True), ascii_base_ply(),
+                 coloured_ply(), textured_ply()],
+    "read_obj": [obj(normals=False), obj(normals=True), textured_obj()],
+    "read_off": [off("OFF"), off("COFF"), QUADS_OFF, TEXTURED_OFF],
     "read_stl": [ascii_stl(), binary_stl()],
     "read_base_mesh": [binary_ply("<", base=True), ascii_base_ply(), kept_base_ply(), obj(normals=True)],
+    "read_material_library": [MATERIALS],
     "command_line": [lines(*arguments) for arguments in COMMAND_LINES],
     "inverse_displacement": drawn(),
     "point_in_prismoid": drawn(),

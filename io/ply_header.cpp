@@ -102,10 +102,23 @@ PlyProperty parse_property(TextCursor& cursor) {
     return {parse_name(cursor), type, count_type};
 }
 
+/// Comments may hold any bytes, so that this one is not read token by token.
+std::optional<std::string> texture_of_comment(std::string_view comment) {
+    constexpr std::string_view keyword = "TextureFile";
+    const std::size_t name = comment.find_first_not_of(" \t", keyword.size());
+    if (!comment.starts_with(keyword) || name == keyword.size() || name == std::string_view::npos) {
+        return std::nullopt;
+    }
+    return std::string(comment.substr(name));
+}
+
 /// One line of the header into `header`; false at its end.
 bool parse_line(TextCursor& cursor, PlyHeader& header, std::optional<PlyFormat>& format) {
     const std::string_view keyword = cursor.token();
     if (keyword == "comment" || keyword == "obj_info") {
+        if (std::optional<std::string> texture = texture_of_comment(cursor.rest_of_line())) {
+            header.textures.push_back(std::move(*texture));
+        }
         return true;
     }
     if (keyword == "format") {

@@ -34,9 +34,10 @@ struct PlyElement {
 
 struct PlyHeader {
     PlyFormat format;
-    std::vector<PlyElement> elements; ///< in the order of the file
-    std::size_t bytes;                ///< where the data begins
-    std::size_t lines;                ///< lines of the header, `end_header` included
+    std::vector<PlyElement> elements;  ///< in the order of the file
+    std::vector<std::string> textures; ///< the pictures of `comment TextureFile PICTURE`, as VCGLIB writes it
+    std::size_t bytes;                 ///< where the data begins
+    std::size_t lines;                 ///< lines of the header, `end_header` included
 };
 
 /// Reads the header at the start of `bytes`. Lines end at LF, CR LF or CR.

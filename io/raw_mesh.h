@@ -3,6 +3,7 @@
 #pragma once
 
 #include <foldless/io/base_mesh.h>
+#include <foldless/io/raw_appearance.h>
 #include <foldless/io/read_mesh.h>
 #include <foldless/io/scan.h>
 
@@ -18,8 +19,9 @@ namespace foldless {
 
 /// What a reader is asked to keep; the rest is noted as ignored.
 enum class Content {
-    scan,      ///< positions and faces
-    base_mesh, ///< directions, ranges and scan vertices too
+    scan,          ///< positions and faces
+    coloured_scan, ///< colours, texture coordinates and materials too
+    base_mesh,     ///< positions and faces, directions, ranges and scan vertices
 };
 
 /// A polygon of more than three corners, fanned from its first vertex into corners - 2 consecutive faces.
@@ -40,6 +42,7 @@ struct RawMesh {
     std::size_t short_faces = 0;      ///< faces of fewer than three corners, which are not in `faces`
     std::size_t corner_conflicts = 0; ///< vertices to which the faces give different normals
     std::size_t missing_normals = 0;  ///< vertices to which a face gives no normal, while others have one
+    RawAppearance appearance;         ///< of a coloured scan
     ReadNotes notes;
 
     /// Appends a polygon as a fan; returns how many faces that makes.

@@ -1,5 +1,6 @@
 #include <foldless/io/read_obj.h>
 
+#include <foldless/io/float32.h>
 #include <foldless/io/numbers.h>
 #include <foldless/io/printable.h>
 #include <foldless/io/text_cursor.h>
@@ -8,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <unordered_map>
 #include <utility>
 
 namespace foldless {
@@ -89,6 +92,9 @@ public:
         }
     }
 
+    /// True if there was one.
+    [[nodiscard]] bool any() const { return largest_ >= 0; }
+
     [[nodiscard]] std::int64_t integer(const TextCursor& cursor, std::string_view text) const {
         const auto parsed = parse_integer(text);
         if (!parsed.ok()) {
@@ -109,6 +115,12 @@ private:
 };
 
 constexpr std::int32_t no_normal = -1;
+constexpr std::int32_t no_texture = -1;
+constexpr std::int32_t no_material = -1;
+
+// Numbers behind the three coordinates of a vertex.
+constexpr std::size_t colour_size = 3;
+constexpr std::size_t colour_size_with_alpha = 4;
 
 class ObjReader {
 public:
@@ -125,6 +137,9 @@ public:
         if (content_ == Content::base_mesh) {
             assign_normals();
         }
+        if (content_ == Content::coloured_scan) {
+            assign_appearance();
+        }
         return std::move(mesh_);
     }
 
@@ -137,9 +152,48 @@ private:
         } else if (keyword == "vn" && content_ == Content::base_mesh) {
             normal_values_.push_back(read_vector());
             cursor_.require_end_of_line();
-        } else {
+        } else if (content_ != Content::coloured_scan || !read_appearance(keyword)) {
             ignore(keyword);
         }
+    }
+
+    /// Reads a statement about the appearance; false if it is none.
+    bool read_appearance(std::string_view keyword) {
+        if (keyword == "vt") {
+            read_texture_coordinate();
+        } else if (keyword == "usemtl") {
+            use_material(std::string(cursor_.rest_of_line()));
+        } else if (keyword == "mtllib") {
+            mesh_.appearance.material_libraries.emplace_back(cursor_.rest_of_line());
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    /// `u [v [w]]`: the v of a picture that is one line is 0, and pictures have no w.
+    void read_texture_coordinate() {
+        const float u = finite(cursor_.real("u"), "u");
+        const float v = cursor_.peek().empty() ? 0.0F : finite(cursor_.real("v"), "v");
+        texture_values_.emplace_back(u, v);
+    }
+
+    void use_material(const std::string& name) {
+        std::vector<RawMaterial>& materials = mesh_.appearance.materials;
+        const auto number = static_cast<std::int32_t>(materials.size());
+        const auto [known, is_new] = material_numbers_.emplace(name, number);
+        if (is_new) {
+            materials.push_back({name, ""});
+        }
+        material_ = known->second;
+    }
+
+    float finite(double value, std::string_view what) {
+        const double rounded = to_float32(value);
+        if (!std::isfinite(rounded)) {
+            cursor_.fail(fmt::format("{} is not a finite number", what));
+        }
+        return static_cast<float>(rounded);
     }
 
     Vec3 read_vector() {
@@ -154,6 +208,10 @@ private:
             cursor_.fail("the vertices are too many");
         }
         mesh_.positions.push_back(read_vector());
+        if (content_ == Content::coloured_scan) {
+            read_colour();
+            return;
+        }
         std::size_t more = 0;
         for (; !cursor_.peek().empty(); ++more) {
             static_cast<void>(cursor_.real("a colour or weight"));
@@ -163,9 +221,31 @@ private:
         }
     }
 
+    /// The numbers behind the coordinates: a weight, or a colour with or without alpha.
+    void read_colour() {
+        std::array<double, colour_size> colour{};
+        std::size_t more = 0;
+        for (; !cursor_.peek().empty(); ++more) {
+            const double value = cursor_.real("a colour or weight");
+            if (more < colour.size()) {
+                colour[more] = value;
+            }
+        }
+        if (more == colour_size || more == colour_size_with_alpha) {
+            const auto value = [&](std::size_t i) { return finite(colour[i], "a colour"); };
+            mesh_.appearance.colours.emplace_back(value(0), value(1), value(2));
+        } else if (more > 0) {
+            mesh_.ignore(more == 1 ? "vertex weights" : "colours");
+        }
+        if (more == colour_size_with_alpha) {
+            mesh_.ignore("alpha");
+        }
+    }
+
     void read_face() {
         corners_.clear();
         corner_normals_.clear();
+        corner_textures_.clear();
         for (std::string_view token = cursor_.token(); !token.empty(); token = cursor_.token()) {
             read_corner(split(token));
         }
@@ -178,14 +258,23 @@ private:
                 face_normals_.push_back({corner_normals_[0], corner_normals_[i], corner_normals_[i + 1]});
             }
         }
+        if (content_ == Content::coloured_scan) {
+            for (std::size_t i = 1; i <= added; ++i) {
+                face_textures_.push_back({corner_textures_[0], corner_textures_[i], corner_textures_[i + 1]});
+                mesh_.appearance.material_of_face.push_back(material_);
+            }
+        }
     }
 
     void read_corner(const Corner& corner) {
         corners_.push_back(vertices_.resolve(cursor_, corner.vertex, mesh_.positions.size()));
-        if (corner.texture) {
+        if (content_ == Content::coloured_scan) {
+            corner_textures_.push_back(
+                corner.texture ? textures_.resolve(cursor_, *corner.texture, texture_values_.size()) : no_texture);
+        } else if (corner.texture) {
             static_cast<void>(textures_.integer(cursor_, *corner.texture));
         }
-        if (content_ == Content::scan) {
+        if (content_ != Content::base_mesh) {
             if (corner.normal) {
                 static_cast<void>(normals_.integer(cursor_, *corner.normal));
             }
@@ -261,6 +350,24 @@ private:
         }
     }
 
+    /// There are programs that write the indices and not the values.
+    void assign_appearance() {
+        if (texture_values_.empty()) {
+            if (textures_.any()) {
+                mesh_.ignore("texture indices that name nothing");
+            }
+            return;
+        }
+        textures_.require_in_range(cursor_, texture_values_.size());
+        const auto value = [&](std::int32_t index) {
+            return index == no_texture ? no_texture_coordinate() : texture_values_[static_cast<std::size_t>(index)];
+        };
+        mesh_.appearance.texture_coordinates.reserve(face_textures_.size());
+        for (const auto& [a, b, c] : face_textures_) {
+            mesh_.appearance.texture_coordinates.push_back({value(a), value(b), value(c)});
+        }
+    }
+
     TextCursor cursor_;
     Content content_;
     RawMesh mesh_;
@@ -273,6 +380,11 @@ private:
     std::vector<Triangle> face_normals_; ///< for a base mesh: the normals of the corners of each face
     std::vector<std::int32_t> corners_;
     std::vector<std::int32_t> corner_normals_;
+    std::vector<Eigen::Vector2f> texture_values_;
+    std::vector<Triangle> face_textures_; ///< for a coloured scan: the texture coordinates of the corners of each face
+    std::vector<std::int32_t> corner_textures_;
+    std::unordered_map<std::string, std::int32_t> material_numbers_;
+    std::int32_t material_ = no_material; ///< of the faces that come next
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include <foldless/io/read_off.h>
 
+#include <foldless/io/float32.h>
 #include <foldless/io/numbers.h>
 #include <foldless/io/printable.h>
 #include <foldless/io/text_cursor.h>
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace foldless {
@@ -26,9 +28,17 @@ bool take_prefix(std::string_view& text, std::string_view prefix) {
     return true;
 }
 
+// Numbers behind the position of a vertex.
+constexpr std::size_t normal_size = 3;
+constexpr std::size_t colour_size = 3;
+constexpr std::size_t colour_size_with_alpha = 4;
+constexpr std::size_t texture_size = 2;
+constexpr std::size_t most_extras = normal_size + colour_size_with_alpha + texture_size;
+
 class OffReader {
 public:
-    OffReader(std::string_view text, const std::string& name) : cursor_(text, name, {.comments = true}) {}
+    OffReader(std::string_view text, const std::string& name, Content content)
+        : cursor_(text, name, {.comments = true}), content_(content) {}
 
     RawMesh read() {
         const std::string_view first_count = read_header();
@@ -47,13 +57,16 @@ private:
     std::string_view read_header() {
         std::string_view token = cursor_.next_line() ? cursor_.token() : std::string_view{};
         const std::string_view keyword = token;
-        if (take_prefix(token, "ST")) {
+        has_texture_coordinates_ = take_prefix(token, "ST");
+        const bool has_colours = take_prefix(token, "C");
+        has_normals_ = take_prefix(token, "N");
+        if (has_texture_coordinates_ && content_ != Content::coloured_scan) {
             mesh_.ignore("texture coordinates");
         }
-        if (take_prefix(token, "C")) {
+        if (has_colours && content_ != Content::coloured_scan) {
             mesh_.ignore("colours");
         }
-        if (take_prefix(token, "N")) {
+        if (has_normals_) {
             mesh_.ignore("normals");
         }
         if (token.starts_with("4OFF") || token.starts_with("nOFF") || token.starts_with("4nOFF")) {
@@ -123,7 +136,11 @@ private:
             const double y = cursor_.real("y");
             const double z = cursor_.real("z");
             mesh_.positions.emplace_back(x, y, z);
-            skip_numbers();
+            if (content_ == Content::coloured_scan) {
+                read_extras();
+            } else {
+                skip_numbers();
+            }
         }
     }
 
@@ -131,10 +148,46 @@ private:
     void skip_numbers() {
         while (!cursor_.peek().empty()) {
             static_cast<void>(cursor_.real("a colour"));
-            if (mesh_.notes.ignored.empty()) {
+            if (content_ == Content::coloured_scan) {
+                mesh_.ignore("face colours");
+            } else if (mesh_.notes.ignored.empty()) {
                 mesh_.ignore("colours");
             }
         }
+    }
+
+    /// The same, kept. The count of numbers tells whether there is a colour, and whether that has an alpha.
+    void read_extras() {
+        extras_.clear();
+        while (!cursor_.peek().empty()) {
+            const double value = cursor_.real("a colour");
+            if (extras_.size() <= most_extras) { // one more than fits, so that it fits nowhere
+                extras_.push_back(value);
+            }
+        }
+        const std::size_t before = has_normals_ ? normal_size : 0;
+        const std::size_t behind = has_texture_coordinates_ ? texture_size : 0;
+        const std::size_t colour = extras_.size() - std::min(extras_.size(), before + behind);
+        if (colour == colour_size || colour == colour_size_with_alpha) {
+            mesh_.appearance.colours.emplace_back(extra(before), extra(before + 1), extra(before + 2));
+        } else if (colour > 0) {
+            mesh_.ignore("colours");
+        }
+        if (colour == colour_size_with_alpha) {
+            mesh_.ignore("alpha");
+        }
+        if (has_texture_coordinates_ && extras_.size() >= before + behind) {
+            mesh_.appearance.vertex_texture_coordinates.emplace_back(extra(extras_.size() - 2),
+                                                                     extra(extras_.size() - 1));
+        }
+    }
+
+    float extra(std::size_t at) {
+        const double rounded = to_float32(extras_[at]);
+        if (!std::isfinite(rounded)) {
+            cursor_.fail("a colour or texture coordinate is not a finite number");
+        }
+        return static_cast<float>(rounded);
     }
 
     void read_faces() {
@@ -163,16 +216,20 @@ private:
     }
 
     TextCursor cursor_;
+    Content content_;
     RawMesh mesh_;
+    bool has_texture_coordinates_ = false;
+    bool has_normals_ = false;
     std::uint64_t vertices_ = 0;
     std::uint64_t faces_ = 0;
     std::vector<std::int32_t> corners_;
+    std::vector<double> extras_;
 };
 
 } // namespace
 
-RawMesh read_off(std::string_view text, const std::string& name) {
-    return OffReader(text, name).read();
+RawMesh read_off(std::string_view text, const std::string& name, Content content) {
+    return OffReader(text, name, content).read();
 }
 
 } // namespace foldless

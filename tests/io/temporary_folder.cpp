@@ -57,6 +57,11 @@ ReadScan scan_of(const std::string& name, std::string_view bytes) {
     return read_scan(folder.file(name, bytes));
 }
 
+ReadColouredScan coloured_scan_of(const std::string& name, std::string_view bytes) {
+    const TemporaryFolder folder;
+    return read_coloured_scan(folder.file(name, bytes));
+}
+
 ReadBaseMesh base_mesh_of(const std::string& name, std::string_view bytes) {
     const TemporaryFolder folder;
     return read_base_mesh(folder.file(name, bytes));
@@ -66,6 +71,12 @@ std::string unreadable(const std::string& name, std::string_view bytes) {
     const TemporaryFolder folder;
     const auto path = folder.file(name, bytes);
     return without_folder(message_of<UnreadableFile>([&] { static_cast<void>(read_scan(path)); }), folder);
+}
+
+std::string unreadable_colours(const std::string& name, std::string_view bytes) {
+    const TemporaryFolder folder;
+    const auto path = folder.file(name, bytes);
+    return without_folder(message_of<UnreadableFile>([&] { static_cast<void>(read_coloured_scan(path)); }), folder);
 }
 
 std::string refused(const std::string& name, std::string_view bytes) {

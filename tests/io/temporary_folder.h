@@ -4,6 +4,7 @@
 
 #include <foldless/io/errors.h>
 #include <foldless/io/read_mesh.h>
+#include <foldless/io/scan_appearance.h>
 
 #include <filesystem>
 #include <string>
@@ -32,8 +33,9 @@ private:
 
 [[nodiscard]] std::string bytes_of(const std::filesystem::path& path);
 
-/// Reads these bytes as a scan or base mesh in a file of this name.
+/// Reads these bytes as a scan, coloured scan or base mesh in a file of this name.
 [[nodiscard]] ReadScan scan_of(const std::string& name, std::string_view bytes);
+[[nodiscard]] ReadColouredScan coloured_scan_of(const std::string& name, std::string_view bytes);
 [[nodiscard]] ReadBaseMesh base_mesh_of(const std::string& name, std::string_view bytes);
 
 /// What an exception of this type says when `act` throws one; "no error" if it throws none.
@@ -49,6 +51,7 @@ template <class Error, class Act>
 
 /// The message with which reading is refused, without the folder in front.
 [[nodiscard]] std::string unreadable(const std::string& name, std::string_view bytes);
+[[nodiscard]] std::string unreadable_colours(const std::string& name, std::string_view bytes);
 [[nodiscard]] std::string refused(const std::string& name, std::string_view bytes);
 
 } // namespace foldless
