@@ -71,19 +71,19 @@ MappedSurface map_with_bar(const BakeCommand& command, const BaseMesh& base, con
     }
 }
 
-AtlasMaps bake_with_bar(const BakeCommand& command, const BaseMesh& base, const Scan& scan, const SurfaceMap& map,
-                        const Atlas& atlas) {
+AtlasMaps bake_with_bar(const BakeCommand& command, const BaseMesh& base, const ScanSurface& surface,
+                        const SurfaceMap& map, const Atlas& atlas) {
     ProgressBar bar(Console(command.quiet).bar_output());
     AtlasMapsOptions options;
     options.vector = command.vector;
     options.normal = command.normal;
+    options.colour = command.color;
     options.threads = threads_to_use(command.threads);
     options.progress = [&](double share) {
         bar.show("baking", share, "");
         return true;
     };
-    const std::vector<Eigen::Vector3f> no_colours;
-    return bake_atlas(base, ScanSurface(scan, no_colours), map, atlas, options);
+    return bake_atlas(base, surface, map, atlas, options);
 }
 
 std::string summary_line(const BakeCommand& command, const Atlas& atlas, const AtlasMaps& maps) {
@@ -99,14 +99,16 @@ ExitCode run(const BakeCommand& command) {
     const ThreadAllowance allowance(threads_to_use(command.threads));
     const Console console(command.quiet);
     const BaseMesh base = read_base_with_vertex_directions(command.base, console);
-    const Scan scan = read_input(command.scan, console).scan;
+    const ColouredInput read = read_coloured_input(command.scan, console);
+    const Scan& scan = read.input.scan;
     const Atlas atlas = atlas_for(base, command.atlas);
     const MappedSurface mapped = map_with_bar(command, base, scan);
     if (!mapped.certificate.certified()) {
         std::ranges::for_each(violation_messages(printable(command.base), mapped.certificate), print_message);
         return ExitCode::not_certified;
     }
-    const AtlasMaps maps = bake_with_bar(command, base, scan, mapped.map, atlas);
+    const ScanSurface surface(scan, read.appearance.vertex_colours);
+    const AtlasMaps maps = bake_with_bar(command, base, surface, mapped.map, atlas);
     make_folder(command.folder);
     std::vector<AtomicFile> files =
         stage_maps(command.folder, {&base, &atlas, &maps}, fmt::format("foldless {}", version()));

@@ -22,15 +22,18 @@ constexpr int largest_atlas = 16384;
 void choose_maps(BakeCommand& command, const std::string& list) {
     command.vector = false;
     command.normal = false;
+    command.color = false;
     std::istringstream words(list);
     for (std::string word; std::getline(words, word, ',');) {
         if (word == "vector") {
             command.vector = true;
         } else if (word == "normal") {
             command.normal = true;
+        } else if (word == "color") {
+            command.color = true;
         } else if (word != "displacement") {
-            throw WrongUsage(
-                fmt::format("--maps takes a list of displacement, vector and normal, not '{}'", printable(word)));
+            throw WrongUsage(fmt::format("--maps takes a list of displacement, vector, normal and color, not '{}'",
+                                         printable(word)));
         }
     }
 }

@@ -61,6 +61,7 @@ struct BakeCommand {
     int atlas = 2048; ///< texels on a side
     bool vector = true;
     bool normal = true;
+    bool color = true; ///< if the scan has colours
     std::optional<int> threads;
     bool quiet = false;
 };

@@ -135,7 +135,7 @@ void declare_bake(CLI::App& app, BakeArguments& arguments) {
     app.add_option("SCAN", arguments.scan, "the scan: .ply, .obj, .off or .stl")->required();
     app.add_option("-o,--output", arguments.folder, "the folder to write the maps into")->required()->type_name("DIR");
     app.add_option("--atlas", arguments.atlas, "texels on a side of the maps, 2048 by default")->type_name("N");
-    app.add_option("--maps", arguments.maps, "which maps: some of displacement,vector,normal; all by default")
+    app.add_option("--maps", arguments.maps, "some of displacement,vector,normal,color; all by default")
         ->type_name("LIST");
     app.add_option("--threads", arguments.threads, "default: all cores; the result does not depend on it")
         ->type_name("N");

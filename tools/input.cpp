@@ -18,15 +18,29 @@ void note_ignored(const std::filesystem::path& path, const ReadNotes& notes, con
     }
 }
 
-Input read_input(const std::filesystem::path& path, const Console& console) {
-    ReadScan read = read_scan(path);
-    const Inspection inspection = inspect(read.scan);
+namespace {
+
+/// Inspects a scan that was read, and says what was ignored of it.
+Input inspected(const std::filesystem::path& path, Scan scan, const ReadNotes& notes, const Console& console) {
+    const Inspection inspection = inspect(scan);
     if (inspection.defects.any()) {
         throw RefusedMesh(fmt::format("{}: {}", printable(path), inspection.defects.text()));
     }
-    note_ignored(path, read.notes, console);
-    InputRecord record{path.string(), read.scan.positions.size(), read.scan.faces.size(), inspection.topology};
-    return {std::move(read.scan), std::move(record)};
+    note_ignored(path, notes, console);
+    InputRecord record{path.string(), scan.positions.size(), scan.faces.size(), inspection.topology};
+    return {std::move(scan), std::move(record)};
+}
+
+} // namespace
+
+Input read_input(const std::filesystem::path& path, const Console& console) {
+    ReadScan read = read_scan(path);
+    return inspected(path, std::move(read.scan), read.notes, console);
+}
+
+ColouredInput read_coloured_input(const std::filesystem::path& path, const Console& console) {
+    ReadColouredScan read = read_coloured_scan(path);
+    return {inspected(path, std::move(read.scan), read.notes, console), std::move(read.appearance)};
 }
 
 } // namespace foldless

@@ -1,6 +1,8 @@
 /// \file
-/// A verify() that fails. It takes the place of the real one, as it is linked before the library that has that.
+/// A verify() that fails, and with it map_surface(), which the same file has. It takes the place of the real one, as it
+/// is linked before the library that has that.
 
+#include <foldless/verify/surface_map.h>
 #include <foldless/verify/verify.h>
 
 #include <new>
@@ -35,6 +37,10 @@ VerifyResult verify(const BaseMesh&, const Scan& scan, const VerifyOptions&) {
     result.violations[static_cast<std::size_t>(Violation::border)] = 1;
     result.located = {{Violation::border, 7, -1, 9, Vec3(0.5, -1.5, 2.0)}};
     return result;
+}
+
+MappedSurface map_surface(const BaseMesh& base, const Scan& scan, const VerifyOptions& options) {
+    return {verify(base, scan, options), {}};
 }
 
 } // namespace foldless

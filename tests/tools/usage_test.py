@@ -6,19 +6,19 @@ from program import ProgramTest
 
 class Help(ProgramTest):
     def test_version_goes_to_standard_output(self):
-        for arguments in (["--version"], ["simplify", "--version"], ["verify", "--version"], ["repair", "--version"], ["info", "--version"]):
+        for arguments in (["--version"], ["simplify", "--version"], ["verify", "--version"], ["repair", "--version"], ["bake", "--version"], ["reconstruct", "--version"], ["info", "--version"]):
             run = self.expect(0, *arguments)
             self.assertRegex(run.stdout, r"\Afoldless \d+\.\d+\.\d+\n\Z")
             self.assertEqual(run.stderr, "")
 
     def test_help_goes_to_standard_output(self):
-        for arguments in (["--help"], ["simplify", "--help"], ["verify", "--help"], ["repair", "--help"], ["info", "--help"]):
+        for arguments in (["--help"], ["simplify", "--help"], ["verify", "--help"], ["repair", "--help"], ["bake", "--help"], ["reconstruct", "--help"], ["info", "--help"]):
             run = self.expect(0, *arguments)
             self.assertIn("Usage: foldless", run.stdout)
             self.assertEqual(run.stderr, "")
 
     def test_help_names_the_commands(self):
-        for command in ("simplify", "verify", "repair", "info"):
+        for command in ("simplify", "verify", "repair", "bake", "reconstruct", "info"):
             self.assertIn(command, self.expect(0, "--help").stdout)
 
     def test_help_of_simplify_names_each_option_that_is_promised(self):
@@ -54,7 +54,7 @@ class WrongUsage(ProgramTest):
         return self.refused("simplify", "scan.off", "-o", "base.ply", *arguments)
 
     def test_a_command_is_needed(self):
-        self.assertIn("simplify, verify, repair or info", self.refused())
+        self.assertIn("simplify, verify, repair, bake, reconstruct or info", self.refused())
 
     def test_an_unknown_command_is_named(self):
         self.assertIn("bogus", self.refused("bogus"))
