@@ -51,6 +51,18 @@ void require_in_range(const RepairCommand& command) {
     require(command.options.min_component_faces >= 1, "a component has a face");
 }
 
+void require_in_range(const BakeCommand& command) {
+    require(!command.base.empty() && !command.scan.empty() && !command.folder.empty(), "files and folder are named");
+    require(command.atlas >= 1 && command.atlas <= 16384, "1 to 16384 texels on a side");
+    require(is_thread_count(command.threads), "1 to 1024 threads");
+}
+
+void require_in_range(const ReconstructCommand& command) {
+    require(!command.base.empty() && !command.maps.empty() && !command.output.empty(), "files and folder are named");
+    require(command.level >= 0 && command.level <= 12, "4^0 to 4^12 faces");
+    require(is_thread_count(command.threads), "1 to 1024 threads");
+}
+
 void require_in_range(const InfoCommand& command) {
     require(!command.mesh.empty(), "a mesh is named");
 }
