@@ -38,6 +38,12 @@ void choose_maps(BakeCommand& command, const std::string& list) {
     }
 }
 
+/// Of the files in the folder only the textured base mesh is of a kind that is read.
+void keep_inputs(const BakeCommand& command) {
+    require_distinct_files({{"base.obj in --output", command.folder / "base.obj"}},
+                           {{"the base mesh", command.base}, {"the scan", command.scan}});
+}
+
 } // namespace
 
 BakeCommand bake_command(const BakeArguments& arguments) {
@@ -45,6 +51,7 @@ BakeCommand bake_command(const BakeArguments& arguments) {
     command.base = file_name({"BASE", arguments.base});
     command.scan = file_name({"SCAN", arguments.scan});
     command.folder = file_name({"--output", arguments.folder});
+    keep_inputs(command);
     if (arguments.atlas) {
         command.atlas = whole_number({"--atlas", *arguments.atlas}, {1, largest_atlas});
     }

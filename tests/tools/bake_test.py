@@ -170,6 +170,14 @@ class Refusals(BakeTest):
         self.assertIn("maps: is not a folder", line)
         self.assertEqual((self.folder / "maps").read_text(encoding="ascii"), "old")
 
+    def test_inputs_in_the_folder_are_not_overwritten(self):
+        self.bake("--quiet")
+        before = (self.folder / "maps/base.obj").read_bytes()
+        line = self.expect_one_line(2, "bake", "maps/base.obj", "scan.off", "-o", "maps")
+        self.assertIn("base.obj in --output", line)
+        self.expect_one_line(2, "bake", "base.ply", "maps/base.obj", "-o", "./maps")
+        self.assertEqual((self.folder / "maps/base.obj").read_bytes(), before)
+
     def test_a_folder_in_no_folder_cannot_be_written(self):
         self.expect_one_line(5, "bake", "base.ply", "scan.off", "-o", "nowhere/maps")
 
