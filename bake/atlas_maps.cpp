@@ -91,7 +91,7 @@ private:
     void write(const Chart& chart, const BaseTriangle& triangle, const ChartSample& sample) {
         const std::array<int, 2> texel = chart.texel(sample.i, sample.j);
         set(maps_.displacement, texel, static_cast<float>(sample.point.t));
-        set(maps_.mask, texel, sample.is_covered || !sample.is_inside ? 1.0F : 0.0F);
+        set(maps_.mask, texel, sample.is_covered ? 1.0F : 0.0F);
         if (!maps_.vector.values.empty()) {
             const Vec3 alpha = chart.lattice.alpha(sample.i, sample.j);
             const Vec3 d = alpha[0] * triangle.d[0] + alpha[1] * triangle.d[1] + alpha[2] * triangle.d[2];

@@ -9,13 +9,11 @@ namespace foldless {
 AtlasSampler::AtlasSampler(const Atlas& atlas, const Image& displacement, const Image& mask)
     : atlas_(atlas), displacement_(displacement), mask_(mask) {}
 
-std::optional<double> AtlasSampler::displacement(std::int32_t face, const Vec3& alpha) const {
+MapValue AtlasSampler::value(std::int32_t face, const Vec3& alpha) const {
     const Chart& chart = atlas_.charts[face];
     const Cell cell = cell_of(chart, alpha);
-    if (!mask_.values.empty() && interpolated(mask_, chart, cell) < 0.5) {
-        return std::nullopt;
-    }
-    return interpolated(displacement_, chart, cell);
+    const double coverage = mask_.values.empty() ? 1.0 : interpolated(mask_, chart, cell);
+    return {interpolated(displacement_, chart, cell), coverage};
 }
 
 AtlasSampler::Cell AtlasSampler::cell_of(const Chart& chart, const Vec3& alpha) {

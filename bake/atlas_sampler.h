@@ -3,12 +3,12 @@
 #pragma once
 
 #include <foldless/bake/atlas.h>
+#include <foldless/bake/reconstruct.h>
 
 #include <foldless/images/image.h>
 #include <foldless/predicates/vector.h>
 
 #include <cstdint>
-#include <optional>
 
 namespace foldless {
 
@@ -19,8 +19,8 @@ public:
     /// \param mask empty: everything is covered
     AtlasSampler(const Atlas& atlas, const Image& displacement, const Image& mask);
 
-    /// t at a point of a base face; no value where the interpolated mask is less than one half.
-    [[nodiscard]] std::optional<double> displacement(std::int32_t face, const Vec3& alpha) const;
+    /// t and the mask at a point of a base face.
+    [[nodiscard]] MapValue value(std::int32_t face, const Vec3& alpha) const;
 
 private:
     /// The texel to the lower left of a point in the lattice, and the shares of the next column and row.

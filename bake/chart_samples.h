@@ -16,8 +16,8 @@ struct ChartSample {
     int i = 0;
     int j = 0;
     bool is_inside = false;  ///< of the triangle
-    bool is_covered = false; ///< the point is one of the scan; else it lies in the plane of a scan face beside it
-    ScanPoint point;         ///< of a continued one u and v are clamped to the face
+    bool is_covered = false; ///< outside the triangle: as the sample in it from which the gutter grew there
+    ScanPoint point;         ///< where inside and covered one of the scan, else in the plane of a face beside it
 };
 
 /// All samples that have a value, row by row: those that are covered, and `gutter` rings of continued ones around them,

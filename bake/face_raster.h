@@ -40,6 +40,11 @@ struct FaceSamples {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(lattice.columns + 1) +
                static_cast<std::size_t>(i);
     }
+    /// The weights of the sample with an index.
+    [[nodiscard]] auto weights(std::size_t sample) const {
+        const auto width = static_cast<std::size_t>(lattice.columns + 1);
+        return lattice.weights(static_cast<int>(sample % width), static_cast<int>(sample / width));
+    }
     [[nodiscard]] const ScanPoint& at(int i, int j) const { return points[index(i, j)]; }
     [[nodiscard]] ScanPoint& at(int i, int j) { return points[index(i, j)]; }
 };

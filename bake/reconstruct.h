@@ -12,9 +12,14 @@
 
 namespace foldless {
 
-/// The displacement t that a map has for the point `alpha` of a base face; no value where the map says that nothing of
-/// the scan is there. Called from many threads.
-using DisplacementAt = std::function<std::optional<double>(std::int32_t face, const Vec3& alpha)>;
+/// What a map has for a point of a base face.
+struct MapValue {
+    double t = 0.0;        ///< displacement; extrapolated where nothing of the scan is
+    double coverage = 1.0; ///< at least one half where something of the scan is, less than that elsewhere
+};
+
+/// The value at the point `alpha` of a base face. Called from many threads.
+using MapValueAt = std::function<MapValue(std::int32_t face, const Vec3& alpha)>;
 
 struct ReconstructOptions {
     int level = 4;              ///< each base face becomes 4^level faces; 0 to max_level
@@ -25,13 +30,13 @@ struct ReconstructOptions {
 
 /// Cuts every base face into 4^level and displaces the vertices: x = X + t d with the interpolated direction.
 /// (Collins and Hilton 2002, figure 6) A vertex on a base edge or at a base vertex is there once, displaced by the map
-/// of the lowest face around it, so that the surface is as tight as the base mesh. Faces with a vertex for which there
-/// is no displacement are left out, and so are vertices that no face uses.
+/// of the lowest face around it, so that the surface is as tight as the base mesh. Faces that reach beyond what is
+/// covered are cut off where the coverage along their edges falls below one half, once for both faces of an edge.
 ///
 /// \throws std::invalid_argument for a level out of bounds, constant face directions or less than one thread;
 /// std::length_error if the indices would exceed 32 bits.
 /// Time and memory O(f 4^level).
-[[nodiscard]] Scan reconstruct(const BaseMesh& base, const DisplacementAt& displacement_at,
+[[nodiscard]] Scan reconstruct(const BaseMesh& base, const MapValueAt& value_at,
                                const ReconstructOptions& options = {});
 
 } // namespace foldless

@@ -167,6 +167,32 @@ Json notes_json(const ReadNotes& notes) {
             {"ignored", notes.ignored}};
 }
 
+Json maps_json(const MapsRecord& maps) {
+    return {{"path", text_or_null(maps.path)},
+            {"size", maps.size},
+            {"samples", maps.samples},
+            {"uncovered", maps.uncovered},
+            {"contested", maps.contested}};
+}
+
+Json one_sided_json(const OneSidedDistance& distance, double diagonal) {
+    return {{"maximum", distance.maximum},
+            {"maximum_bound", distance.maximum_bound},
+            {"maximum_relative_to_diagonal", distance.maximum / diagonal},
+            {"rms", distance.rms},
+            {"rms_relative_to_diagonal", distance.rms / diagonal},
+            {"furthest", point_json(distance.furthest)},
+            {"nearest", point_json(distance.nearest)}};
+}
+
+Json comparison_json(const Comparison& comparison) {
+    return {{"scan", mesh_json(comparison.scan)},
+            {"bounding_box_diagonal", comparison.diagonal},
+            {"bound", comparison.bound},
+            {"from_scan", one_sided_json(comparison.distance.there, comparison.diagonal)},
+            {"to_scan", one_sided_json(comparison.distance.back, comparison.diagonal)}};
+}
+
 std::string text_of(const Json& json) {
     return json.dump(indentation, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -222,6 +248,33 @@ std::string json_report(const RepairRecord& record) {
     json["output"] = mesh_json(record.output);
     const PhaseTimes& times = record.usage.times;
     const NamedTime phases[]{{"read", times.read}, {"repair", times.repair}, {"write", times.write}};
+    add_usage(json, record.usage, phases);
+    return text_of(json);
+}
+
+std::string json_report(const BakeRecord& record) {
+    Json json = heading("bake");
+    json["input"] = mesh_json(record.input);
+    json["base"] = output_json(record.base);
+    json["maps"] = maps_json(record.maps);
+    json["certificate"] = certificate_json(record.certificate);
+    const PhaseTimes& times = record.usage.times;
+    const NamedTime phases[]{
+        {"read", times.read}, {"verify", times.verify}, {"bake", times.bake}, {"write", times.write}};
+    add_usage(json, record.usage, phases);
+    return text_of(json);
+}
+
+std::string json_report(const ReconstructRecord& record) {
+    Json json = heading("reconstruct");
+    json["options"] = {{"level", record.level}};
+    json["base"] = record.base;
+    json["maps"] = record.maps;
+    json["output"] = {{"path", record.path}, {"vertices", record.vertices}, {"faces", record.faces}};
+    json["comparison"] = record.comparison ? comparison_json(*record.comparison) : Json(nullptr);
+    const PhaseTimes& times = record.usage.times;
+    const NamedTime phases[]{
+        {"read", times.read}, {"reconstruct", times.reconstruct}, {"compare", times.compare}, {"write", times.write}};
     add_usage(json, record.usage, phases);
     return text_of(json);
 }

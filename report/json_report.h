@@ -13,6 +13,8 @@ namespace foldless {
 [[nodiscard]] std::string json_report(const SimplifyRecord& record);
 [[nodiscard]] std::string json_report(const VerifyRecord& record);
 [[nodiscard]] std::string json_report(const RepairRecord& record);
+[[nodiscard]] std::string json_report(const BakeRecord& record);
+[[nodiscard]] std::string json_report(const ReconstructRecord& record);
 [[nodiscard]] std::string json_report(const InfoRecord& record);
 
 } // namespace foldless

@@ -20,6 +20,9 @@ struct PhaseTimes {
     PhaseTime verify;
     PhaseTime write;
     PhaseTime repair;
+    PhaseTime bake;
+    PhaseTime reconstruct;
+    PhaseTime compare;
 };
 
 /// Measures from its construction, or from the last lap.

@@ -2,6 +2,7 @@
 /// What a run did: everything that its report and its summary tell.
 #pragma once
 
+#include <foldless/bake/surface_distance.h>
 #include <foldless/decimate/decimate.h>
 #include <foldless/io/defects.h>
 #include <foldless/io/read_mesh.h>
@@ -69,6 +70,44 @@ struct RepairRecord {
     Defects defects;   ///< of the input
     RepairCounts counts;
     InputRecord output; ///< as it will be read
+    Usage usage;
+};
+
+/// The files that `foldless bake` wrote.
+struct MapsRecord {
+    std::string path; ///< the folder; empty if nothing was written
+    int size = 0;     ///< texels on a side
+    std::size_t samples = 0;
+    std::size_t uncovered = 0; ///< samples
+    std::size_t contested = 0; ///< samples
+};
+
+/// A run of `foldless bake`.
+struct BakeRecord {
+    InputRecord input;
+    OutputRecord base;
+    MapsRecord maps;
+    VerifyResult certificate;
+    Usage usage;
+};
+
+/// How far a surface is from the scan that it should be.
+struct Comparison {
+    InputRecord scan;
+    double diagonal = 0.0; ///< of the scan, model units
+    double bound = 0.0;    ///< to which the maxima are known, model units
+    SurfaceDistance distance;
+};
+
+/// A run of `foldless reconstruct`.
+struct ReconstructRecord {
+    std::string base;
+    std::string maps;
+    int level = 0;
+    std::string path; ///< of what was written
+    std::size_t vertices = 0;
+    std::size_t faces = 0;
+    std::optional<Comparison> comparison;
     Usage usage;
 };
 

@@ -6,6 +6,8 @@
 #include <foldless/io/errors.h>
 #include <foldless/io/printable.h>
 #include <foldless/io/write_mesh.h>
+#include <foldless/report/json_report.h>
+#include <foldless/report/process_usage.h>
 #include <foldless/report/progress_bar.h>
 #include <foldless/report/version.h>
 #include <foldless/tools/base_input.h>
@@ -20,6 +22,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace foldless {
@@ -86,33 +89,72 @@ AtlasMaps bake_with_bar(const BakeCommand& command, const BaseMesh& base, const 
     return bake_atlas(base, surface, map, atlas, options);
 }
 
-std::string summary_line(const BakeCommand& command, const Atlas& atlas, const AtlasMaps& maps) {
+std::string summary_line(const MapsRecord& maps) {
     const double share = 100.0 * static_cast<double>(maps.uncovered) / static_cast<double>(maps.samples);
-    return fmt::format("{}: {} x {} texels, {} samples, {:.2f} % of them uncovered", printable(command.folder),
-                       atlas.size, atlas.size, maps.samples, share);
+    return fmt::format("{}: {} x {} texels, {} samples, {:.2f} % of them uncovered", printable(maps.path), maps.size,
+                       maps.size, maps.samples, share);
+}
+
+/// What is known before there are maps.
+BakeRecord record_of(const BakeCommand& command, const BaseMesh& base, const Input& input) {
+    BakeRecord record;
+    record.input = input.record;
+    record.base = {command.base.string(), base.positions.size(), base.faces.size(), 0};
+    record.maps.size = command.atlas;
+    record.usage.threads = threads_to_use(command.threads);
+    return record;
+}
+
+void stage_report(std::vector<AtomicFile>& files, const BakeCommand& command, BakeRecord& record) {
+    if (command.report) {
+        record.usage.peak_memory_bytes = peak_memory_bytes();
+        files.push_back(stage_text(*command.report, json_report(record)));
+    }
+}
+
+/// With the report, which tells what is wrong.
+ExitCode refuse(const BakeCommand& command, BakeRecord& record) {
+    std::vector<AtomicFile> files;
+    stage_report(files, command, record);
+    commit_all(files);
+    std::ranges::for_each(violation_messages(printable(command.base), record.certificate), print_message);
+    return ExitCode::not_certified;
 }
 
 } // namespace
 
 ExitCode run(const BakeCommand& command) {
     require_writable_folder(command.folder);
+    if (command.report) {
+        require_writable(*command.report);
+    }
     const ThreadAllowance allowance(threads_to_use(command.threads));
     const Console console(command.quiet);
+    Stopwatch watch;
     const BaseMesh base = read_base_with_vertex_directions(command.base, console);
     const ColouredInput read = read_coloured_input(command.scan, console);
     const Scan& scan = read.input.scan;
+    BakeRecord record = record_of(command, base, read.input);
+    PhaseTimes& times = record.usage.times;
+    times.read = watch.lap();
     const Atlas atlas = atlas_for(base, command.atlas);
-    const MappedSurface mapped = map_with_bar(command, base, scan);
-    if (!mapped.certificate.certified()) {
-        std::ranges::for_each(violation_messages(printable(command.base), mapped.certificate), print_message);
-        return ExitCode::not_certified;
+    MappedSurface mapped = map_with_bar(command, base, scan);
+    times.verify = watch.lap();
+    record.certificate = std::move(mapped.certificate);
+    record.base.frozen_faces = record.certificate.frozen_faces;
+    if (!record.certificate.certified()) {
+        return refuse(command, record);
     }
     const ScanSurface surface(scan, read.appearance.vertex_colours);
     const AtlasMaps maps = bake_with_bar(command, base, surface, mapped.map, atlas);
+    times.bake = watch.lap();
+    record.maps = {command.folder.string(), atlas.size, maps.samples, maps.uncovered, maps.contested};
     make_folder(command.folder);
     std::vector<AtomicFile> files =
         stage_maps(command.folder, {&base, &atlas, &maps}, fmt::format("foldless {}", version()));
-    const std::vector<std::string> lines{summary_line(command, atlas, maps)};
+    times.write = watch.lap();
+    stage_report(files, command, record);
+    const std::vector<std::string> lines{summary_line(record.maps)};
     commit_all(files);
     console.print(lines);
     return ExitCode::done;

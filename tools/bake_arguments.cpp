@@ -40,8 +40,36 @@ void choose_maps(BakeCommand& command, const std::string& list) {
 
 /// Of the files in the folder only the textured base mesh is of a kind that is read.
 void keep_inputs(const BakeCommand& command) {
-    require_distinct_files({{"base.obj in --output", command.folder / "base.obj"}},
-                           {{"the base mesh", command.base}, {"the scan", command.scan}});
+    std::vector<NamedFile> outputs{{"base.obj in --output", command.folder / "base.obj"},
+                                   {"maps.json in --output", command.folder / "maps.json"}};
+    if (command.report) {
+        outputs.emplace_back("--report", *command.report);
+    }
+    require_distinct_files(outputs, {{"the base mesh", command.base}, {"the scan", command.scan}});
+}
+
+void name_files(ReconstructCommand& command, const ReconstructArguments& arguments) {
+    command.base = file_name({"BASE", arguments.base});
+    command.maps = file_name({"MAPS", arguments.maps});
+    command.output = file_name({"--output", arguments.output});
+    const FileType type = file_type(command.output);
+    if (type != FileType::ply && type != FileType::obj) {
+        throw WrongUsage(fmt::format("--output must end in .ply or .obj: {}", printable(command.output)));
+    }
+    std::vector<NamedFile> inputs{{"the base mesh", command.base}};
+    std::vector<NamedFile> outputs{{"--output", command.output}};
+    if (arguments.compare) {
+        command.scan = file_name({"--compare", *arguments.compare});
+        inputs.emplace_back("the scan", *command.scan);
+    }
+    if (arguments.report) {
+        command.report = file_name({"--report", *arguments.report});
+        outputs.emplace_back("--report", *command.report);
+    }
+    for (const char* map : {"maps.json", "displacement.exr", "mask.png", "base.obj"}) {
+        inputs.emplace_back("a file in MAPS", command.maps / map);
+    }
+    require_distinct_files(outputs, inputs);
 }
 
 } // namespace
@@ -51,6 +79,9 @@ BakeCommand bake_command(const BakeArguments& arguments) {
     command.base = file_name({"BASE", arguments.base});
     command.scan = file_name({"SCAN", arguments.scan});
     command.folder = file_name({"--output", arguments.folder});
+    if (arguments.report) {
+        command.report = file_name({"--report", *arguments.report});
+    }
     keep_inputs(command);
     if (arguments.atlas) {
         command.atlas = whole_number({"--atlas", *arguments.atlas}, {1, largest_atlas});
@@ -67,14 +98,7 @@ BakeCommand bake_command(const BakeArguments& arguments) {
 
 ReconstructCommand reconstruct_command(const ReconstructArguments& arguments) {
     ReconstructCommand command;
-    command.base = file_name({"BASE", arguments.base});
-    command.maps = file_name({"MAPS", arguments.maps});
-    command.output = file_name({"--output", arguments.output});
-    const FileType type = file_type(command.output);
-    if (type != FileType::ply && type != FileType::obj) {
-        throw WrongUsage(fmt::format("--output must end in .ply or .obj: {}", printable(command.output)));
-    }
-    require_distinct_files({{"--output", command.output}}, {{"the base mesh", command.base}});
+    name_files(command, arguments);
     if (arguments.level) {
         command.level = whole_number({"--level", *arguments.level}, {0, ReconstructOptions::max_level});
     }

@@ -15,6 +15,7 @@ struct BakeArguments {
     std::string folder;
     std::optional<std::string> atlas;
     std::optional<std::string> maps;
+    std::optional<std::string> report;
     std::optional<std::string> threads;
     bool quiet = false;
 };
@@ -24,6 +25,8 @@ struct ReconstructArguments {
     std::string maps;
     std::string output;
     std::optional<std::string> level;
+    std::optional<std::string> compare;
+    std::optional<std::string> report;
     std::optional<std::string> threads;
     bool quiet = false;
 };

@@ -62,6 +62,7 @@ struct BakeCommand {
     bool vector = true;
     bool normal = true;
     bool color = true; ///< if the scan has colours
+    std::optional<std::filesystem::path> report;
     std::optional<int> threads;
     bool quiet = false;
 };
@@ -71,7 +72,9 @@ struct ReconstructCommand {
     std::filesystem::path base;
     std::filesystem::path maps; ///< the folder
     std::filesystem::path output;
-    int level = 5; ///< each base face becomes 4^level
+    int level = 5;                             ///< each base face becomes 4^level
+    std::optional<std::filesystem::path> scan; ///< to compare with
+    std::optional<std::filesystem::path> report;
     std::optional<int> threads;
     bool quiet = false;
 };

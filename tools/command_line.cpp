@@ -137,6 +137,7 @@ void declare_bake(CLI::App& app, BakeArguments& arguments) {
     app.add_option("--atlas", arguments.atlas, "texels on a side of the maps, 2048 by default")->type_name("N");
     app.add_option("--maps", arguments.maps, "some of displacement,vector,normal,color; all by default")
         ->type_name("LIST");
+    app.add_option("--report", arguments.report, "write a report")->type_name("FILE.json");
     app.add_option("--threads", arguments.threads, "default: all cores; the result does not depend on it")
         ->type_name("N");
     declare_flag(app, "--quiet", arguments.quiet, "print violations and errors only");
@@ -147,6 +148,9 @@ void declare_reconstruct(CLI::App& app, ReconstructArguments& arguments) {
     app.add_option("MAPS", arguments.maps, "the folder that foldless bake wrote")->required();
     app.add_option("-o,--output", arguments.output, "the surface to write: .ply or .obj")->required()->type_name("OUT");
     app.add_option("--level", arguments.level, "each face becomes 4^N faces, 5 by default")->type_name("N");
+    app.add_option("--compare", arguments.compare, "measure how far the surface and the scan are from each other")
+        ->type_name("SCAN");
+    app.add_option("--report", arguments.report, "write a report")->type_name("FILE.json");
     app.add_option("--threads", arguments.threads, "default: all cores; the result does not depend on it")
         ->type_name("N");
     declare_flag(app, "--quiet", arguments.quiet, "print errors only");

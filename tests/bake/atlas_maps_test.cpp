@@ -5,6 +5,7 @@
 #include <foldless/bake/reconstruct.h>
 #include <foldless/bake/surface_distance.h>
 #include <foldless/io/bounding_box.h>
+#include <foldless/io/defects.h>
 #include <foldless/models/make_model.h>
 
 #include <gtest/gtest.h>
@@ -73,9 +74,9 @@ double distance_back(const MappedScan& mapped, int size, int level) {
     const AtlasMaps maps = baked(mapped, atlas, 1);
     const AtlasSampler sampler(atlas, maps.displacement, maps.mask);
     const Scan back = reconstruct(
-        mapped.base, [&](std::int32_t face, const Vec3& alpha) { return sampler.displacement(face, alpha); },
-        {level, 1});
-    EXPECT_EQ(back.faces.size(), mapped.base.faces.size() << (2 * level));
+        mapped.base, [&](std::int32_t face, const Vec3& alpha) { return sampler.value(face, alpha); }, {level, 1});
+    EXPECT_FALSE(inspect(back).defects.any());
+    EXPECT_EQ(inspect(back).topology.boundary_loops, inspect(mapped.scan).topology.boundary_loops);
     const double diagonal = bounding_box_diagonal(mapped.scan);
     DistanceOptions options;
     options.bound = 1e-4 * diagonal;
@@ -92,6 +93,19 @@ TEST(AtlasMaps, GiveTheScanBack) {
     EXPECT_LT(fine, 2e-3);
     EXPECT_LT(fine, 0.5 * coarse) << coarse;
     EXPECT_LT(distance_back(mapped, 256, 4), coarse);
+}
+
+TEST(AtlasMaps, GiveATrimmedScanBack) {
+    DecimateOptions options;
+    options.target_faces = 60;
+    options.boundary = Boundary::trim;
+    const MappedScan mapped = test::decimated(to_scan(make_model({Shape::cylinder, 3000, {}})), options);
+    ASSERT_GT(inspect(mapped.scan).topology.boundary_loops, 0U);
+    EXPECT_GT(baked(mapped, make_atlas(mapped.base, {256, 2}), 1).uncovered, 0U);
+    const double coarse = distance_back(mapped, 128, 3);
+    const double fine = distance_back(mapped, 512, 6);
+    EXPECT_LT(fine, 5e-3); // the border is known to a texel
+    EXPECT_LT(fine, 0.5 * coarse) << coarse;
 }
 
 TEST(AtlasMaps, StopWhenAsked) {

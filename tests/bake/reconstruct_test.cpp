@@ -3,13 +3,14 @@
 #include <foldless/bake/reconstruct.h>
 #include <foldless/bake/subdivision.h>
 
+#include <foldless/io/defects.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -107,7 +108,7 @@ void expect_closed(const Scan& scan) {
 TEST(Reconstruct, OfAClosedBaseMeshIsClosed) {
     const BaseMesh base = test::decimated_model(Shape::torus, 600, 60).base;
     for (int level = 0; level <= 4; ++level) {
-        const Scan scan = reconstruct(base, [](std::int32_t, const Vec3&) { return 0.0; }, {level, 1});
+        const Scan scan = reconstruct(base, [](std::int32_t, const Vec3&) { return MapValue{}; }, {level, 1});
         EXPECT_EQ(scan.faces.size(), base.faces.size() << (2 * level));
         EXPECT_EQ(2 * scan.positions.size(), scan.faces.size()) << "of a torus";
         expect_closed(scan);
@@ -115,7 +116,7 @@ TEST(Reconstruct, OfAClosedBaseMeshIsClosed) {
 }
 
 TEST(Reconstruct, DisplacesAlongTheInterpolatedDirection) {
-    const Scan scan = reconstruct(octahedron(), [](std::int32_t, const Vec3&) { return 0.5; }, {3, 1});
+    const Scan scan = reconstruct(octahedron(), [](std::int32_t, const Vec3&) { return MapValue{0.5}; }, {3, 1});
     EXPECT_EQ(scan.positions.size(), 6U + 12 * 7 + 8 * 21);
     for (const Vec3& position : scan.positions) {
         EXPECT_EQ(position.lpNorm<1>(), 1.5);
@@ -129,31 +130,91 @@ TEST(Reconstruct, DisplacesAlongTheInterpolatedDirection) {
 // What is on an edge or a corner is displaced by the lowest face around it.
 TEST(Reconstruct, AsksTheLowestFace) {
     const BaseMesh base = octahedron();
-    const Scan scan = reconstruct(base, [](std::int32_t face, const Vec3&) { return face; }, {1, 1});
+    const Scan scan = reconstruct(
+        base, [](std::int32_t face, const Vec3&) -> MapValue { return {static_cast<double>(face)}; }, {1, 1});
     const std::array<double, 6> lowest{0, 1, 0, 2, 0, 4};
     for (std::size_t vertex = 0; vertex < 6; ++vertex) {
         EXPECT_EQ(scan.positions[vertex], (1 + lowest[vertex]) * base.positions[vertex]);
     }
 }
 
-TEST(Reconstruct, LeavesOutWhatHasNoDisplacement) {
-    const DisplacementAt but_one = [](std::int32_t, const Vec3& alpha) -> std::optional<double> {
-        return alpha.maxCoeff() == 1.0 ? std::nullopt : std::optional(0.0);
-    };
-    const Scan scan = reconstruct(octahedron(), but_one, {2, 1});
-    EXPECT_EQ(scan.faces.size(), 8U * (16 - 3));
-    EXPECT_EQ(scan.positions.size(), 12U * 3 + 8 * 3);
-    for (const Vec3& position : scan.positions) {
-        EXPECT_LT(position.maxCoeff(), 1.0);
+/// Covered where alpha_0 of face 0, and beyond it, is at least a share.
+struct CoveredCorner {
+    double share;
+    MapValue operator()(std::int32_t /*face*/, const Vec3& alpha) const { return {0.0, 0.5 + alpha[0] - share}; }
+};
+
+BaseMesh one_triangle() {
+    BaseMesh base;
+    base.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    base.directions = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    base.faces = {{0, 1, 2}};
+    return base;
+}
+
+double area(const Scan& scan) {
+    double sum = 0.0;
+    for (const auto& [a, b, c] : scan.faces) {
+        sum += 0.5 * (scan.positions[b] - scan.positions[a]).cross(scan.positions[c] - scan.positions[a]).z();
     }
-    const Scan nothing = reconstruct(octahedron(), [](std::int32_t, const Vec3&) { return std::nullopt; }, {2, 1});
+    return sum;
+}
+
+TEST(Reconstruct, CutsFacesWhereTheCoverEnds) {
+    for (const double share : {0.125, 0.25, 0.3, 0.75}) { // the covered corner is a triangle of 1 - share
+        for (const int level : {0, 1, 3}) {
+            const Scan scan = reconstruct(one_triangle(), CoveredCorner{share}, {level, 1});
+            EXPECT_NEAR(area(scan), 0.5 * (1 - share) * (1 - share), 1e-8) << share << " at level " << level;
+            EXPECT_FALSE(inspect(scan).defects.any());
+        }
+    }
+    const Scan whole = reconstruct(one_triangle(), CoveredCorner{0.0}, {3, 1});
+    EXPECT_EQ(whole.faces.size(), 64U);
+    const Scan nothing = reconstruct(one_triangle(), CoveredCorner{1.01}, {3, 1});
     EXPECT_TRUE(nothing.faces.empty());
     EXPECT_TRUE(nothing.positions.empty());
 }
 
+// Only a corner is covered, and what is left of its faces has no area.
+TEST(Reconstruct, LeavesNoFacesWithoutArea) {
+    EXPECT_TRUE(reconstruct(one_triangle(), CoveredCorner{1.0}, {1, 1}).faces.empty());
+}
+
+// The cover ends on an edge at one place for both of its faces.
+TEST(Reconstruct, HasOneRimWhereTheCoverEnds) {
+    const BaseMesh base = octahedron();
+    for (const double height : {-0.6, 0.1, 0.3}) {
+        const MapValueAt cap = [&](std::int32_t face, const Vec3& alpha) -> MapValue {
+            double z = 0.0;
+            for (int k = 0; k < 3; ++k) {
+                z += alpha[k] * base.positions[base.faces[face][k]].z();
+            }
+            return {0.0, 0.5 + z - height};
+        };
+        const Inspection inspection = inspect(reconstruct(base, cap, {3, 1}));
+        EXPECT_FALSE(inspection.defects.any());
+        EXPECT_EQ(inspection.topology.boundary_loops, 1U) << height;
+        EXPECT_EQ(inspection.topology.euler_characteristic, 1) << height;
+    }
+}
+
+// Where the lowest face at an edge covers nothing of what another one covers.
+TEST(Reconstruct, IsAManifoldWhereMapsDisagree) {
+    for (std::int32_t bare = 0; bare < 8; ++bare) {
+        const MapValueAt but_one = [&](std::int32_t face, const Vec3&) -> MapValue {
+            return {0.0, face == bare ? 0.0 : 1.0};
+        };
+        const Inspection inspection = inspect(reconstruct(octahedron(), but_one, {2, 1}));
+        EXPECT_FALSE(inspection.defects.any()) << bare;
+        EXPECT_EQ(inspection.topology.boundary_loops, 1U) << bare;
+    }
+}
+
 TEST(Reconstruct, IsTheSameOnAnyNumberOfThreads) {
     const BaseMesh base = test::decimated_model(Shape::knot, 900, 100).base;
-    const DisplacementAt wavy = [](std::int32_t face, const Vec3& alpha) { return 0.01 * face * alpha[0] * alpha[1]; };
+    const MapValueAt wavy = [](std::int32_t face, const Vec3& alpha) -> MapValue {
+        return {0.01 * face * alpha[0] * alpha[1], alpha[2] - 0.01 * face};
+    };
     const Scan first = reconstruct(base, wavy, {3, 1});
     const Scan second = reconstruct(base, wavy, {3, 3});
     EXPECT_EQ(first.positions, second.positions);
@@ -161,7 +222,7 @@ TEST(Reconstruct, IsTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(Reconstruct, RefusesSenselessOptions) {
-    const DisplacementAt zero = [](std::int32_t, const Vec3&) { return 0.0; };
+    const MapValueAt zero = [](std::int32_t, const Vec3&) { return MapValue{}; };
     EXPECT_THROW((void)reconstruct(octahedron(), zero, {-1, 1}), std::invalid_argument);
     EXPECT_THROW((void)reconstruct(octahedron(), zero, {ReconstructOptions::max_level + 1, 1}), std::invalid_argument);
     EXPECT_THROW((void)reconstruct(octahedron(), zero, {1, 0}), std::invalid_argument);

@@ -114,6 +114,58 @@ class Maps(BakeTest):
         self.assertGreaterEqual(maps["uncovered"], 0)
 
 
+class Reports(BakeTest):
+    def test_bake_tells_what_it_wrote(self):
+        self.decimated(sphere(12, 16))
+        self.bake("--report", "bake.json")
+        report = json.loads((self.folder / "bake.json").read_text())
+        self.assertEqual("bake", report["command"])
+        self.assertEqual({"path": "maps", "size": 128, "uncovered": 0, "contested": 0}, {key: value for key, value in report["maps"].items() if key != "samples"})
+        self.assertEqual(json.loads((self.folder / "maps" / "maps.json").read_text())["samples"], report["maps"]["samples"])
+        self.assertEqual(0, report["certificate"]["violations"])
+        self.assertEqual(["read", "verify", "bake", "write"], list(report["seconds"]))
+
+    def test_bake_tells_what_is_wrong(self):
+        self.decimated(sphere(12, 16))
+        write_off(self.folder / "scan.off", hill(10))
+        self.bake("--report", "bake.json", code=6)
+        report = json.loads((self.folder / "bake.json").read_text())
+        self.assertIsNone(report["maps"]["path"])
+        self.assertGreater(report["certificate"]["violations"], 0)
+        self.assertFalse((self.folder / "maps").exists())
+
+    def test_the_distance_is_measured_both_ways(self):
+        self.decimated(sphere(20, 30))
+        self.bake()
+        distances = []
+        for level in range(1, 5):
+            run = self.reconstruct("--level", str(level), "--compare", "scan.off", "--report", "back.json")
+            self.assertEqual(3, len(run.stdout.splitlines() + run.stderr.splitlines()))
+            comparison = json.loads((self.folder / "back.json").read_text())["comparison"]
+            for side in (comparison["from_scan"], comparison["to_scan"]):
+                self.assertLessEqual(side["maximum"], side["maximum_bound"])
+                self.assertLessEqual(side["maximum_bound"], side["maximum"] + 1.01 * comparison["bound"])
+                self.assertAlmostEqual(side["maximum"], math.dist(side["furthest"], side["nearest"]), 9)
+                self.assertLess(side["rms"], side["maximum"])
+            distances.append(max(comparison["from_scan"]["maximum"], comparison["to_scan"]["maximum"]))
+        self.assertLess(distances[3], distances[1])
+        self.assertLess(distances[1], distances[0])
+        self.reconstruct("--report", "back.json")
+        self.assertIsNone(json.loads((self.folder / "back.json").read_text())["comparison"])
+
+    def test_what_is_compared_with_stays(self):
+        self.decimated(sphere(12, 16))
+        self.bake()
+        before = (self.folder / "scan.off").read_bytes()
+        self.expect_one_line(2, "reconstruct", "base.ply", "maps", "-o", "back.ply", "--compare", "scan.off", "--report", "scan.off")
+        self.expect_one_line(2, "reconstruct", "base.ply", "maps", "-o", "back.ply", "--report", "maps/maps.json")
+        self.expect_one_line(2, "bake", "base.ply", "scan.off", "-o", "maps", "--report", "base.ply")
+        self.expect_one_line(3, "reconstruct", "base.ply", "maps", "-o", "back.ply", "--compare", "none.off")
+        self.expect_one_line(5, "reconstruct", "base.ply", "maps", "-o", "back.ply", "--report", "none/back.json")
+        self.assertEqual(before, (self.folder / "scan.off").read_bytes())
+        self.assertFalse((self.folder / "back.ply").exists())
+
+
 class Reconstruction(BakeTest):
     def test_each_face_becomes_four_to_the_level(self):
         self.decimated(sphere(12, 16), "--faces", "40")
