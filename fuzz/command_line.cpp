@@ -28,6 +28,12 @@ bool is_thread_count(const std::optional<int>& threads) {
     return !threads || (*threads >= 1 && *threads <= 1024);
 }
 
+void require_in_range(const BakeCommand& command) {
+    require(!command.base.empty() && !command.scan.empty() && !command.folder.empty(), "files and folder are named");
+    require(command.atlas >= 1 && command.atlas <= 16384, "1 to 16384 texels on a side");
+    require(is_thread_count(command.threads), "1 to 1024 threads");
+}
+
 void require_in_range(const SimplifyCommand& command) {
     const DecimateOptions& options = command.options;
     require(!command.scan.empty() && !command.base.empty(), "both files are named");
@@ -39,6 +45,9 @@ void require_in_range(const SimplifyCommand& command) {
                 (std::isfinite(command.max_displacement->value) && command.max_displacement->value >= 0),
             "a bound on displacements");
     require(is_thread_count(options.threads), "1 to 1024 threads");
+    if (command.bake) {
+        require_in_range(*command.bake);
+    }
 }
 
 void require_in_range(const VerifyCommand& command) {
@@ -49,12 +58,6 @@ void require_in_range(const VerifyCommand& command) {
 void require_in_range(const RepairCommand& command) {
     require(!command.scan.empty() && !command.output.empty(), "both files are named");
     require(command.options.min_component_faces >= 1, "a component has a face");
-}
-
-void require_in_range(const BakeCommand& command) {
-    require(!command.base.empty() && !command.scan.empty() && !command.folder.empty(), "files and folder are named");
-    require(command.atlas >= 1 && command.atlas <= 16384, "1 to 16384 texels on a side");
-    require(is_thread_count(command.threads), "1 to 1024 threads");
 }
 
 void require_in_range(const ReconstructCommand& command) {

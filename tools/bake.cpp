@@ -123,11 +123,15 @@ ExitCode refuse(const BakeCommand& command, BakeRecord& record) {
 
 } // namespace
 
-ExitCode run(const BakeCommand& command) {
+void require_writable_outputs(const BakeCommand& command) {
     require_writable_folder(command.folder);
     if (command.report) {
         require_writable(*command.report);
     }
+}
+
+ExitCode run(const BakeCommand& command) {
+    require_writable_outputs(command);
     const ThreadAllowance allowance(threads_to_use(command.threads));
     const Console console(command.quiet);
     Stopwatch watch;

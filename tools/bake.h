@@ -7,6 +7,10 @@
 
 namespace foldless {
 
+/// Finds out early what would stop run() later.
+/// \throws UnwritableFile
+void require_writable_outputs(const BakeCommand& command);
+
 /// Verifies a base mesh, and if it is certified bakes its maps into a folder, which is made if it is not there.
 /// \throws UnreadableFile, RefusedMesh, UnwritableFile, WrongUsage if the atlas is too small
 ExitCode run(const BakeCommand& command);

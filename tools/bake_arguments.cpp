@@ -40,8 +40,8 @@ void choose_maps(BakeCommand& command, const std::string& list) {
 
 /// Of the files in the folder only the textured base mesh is of a kind that is read.
 void keep_inputs(const BakeCommand& command) {
-    std::vector<NamedFile> outputs{{"base.obj in --output", command.folder / "base.obj"},
-                                   {"maps.json in --output", command.folder / "maps.json"}};
+    std::vector<NamedFile> outputs{{"base.obj of the maps", command.folder / "base.obj"},
+                                   {"maps.json of the maps", command.folder / "maps.json"}};
     if (command.report) {
         outputs.emplace_back("--report", *command.report);
     }

@@ -20,6 +20,20 @@ struct Length {
     bool relative; ///< value is a share of the diagonal, 0.01 for `1%`
 };
 
+/// `foldless bake`
+struct BakeCommand {
+    std::filesystem::path base;
+    std::filesystem::path scan;
+    std::filesystem::path folder;
+    int atlas = 2048; ///< texels on a side
+    bool vector = true;
+    bool normal = true;
+    bool color = true; ///< if the scan has colours
+    std::optional<std::filesystem::path> report;
+    std::optional<int> threads;
+    bool quiet = false;
+};
+
 /// `foldless simplify`
 struct SimplifyCommand {
     std::filesystem::path scan;
@@ -31,6 +45,7 @@ struct SimplifyCommand {
     std::optional<double> ratio;
     std::optional<Length> max_displacement;
     bool verify = true;
+    std::optional<BakeCommand> bake; ///< afterwards
     bool quiet = false;
 };
 
@@ -50,20 +65,6 @@ struct RepairCommand {
     std::filesystem::path output;
     std::optional<std::filesystem::path> report;
     RepairOptions options;
-    bool quiet = false;
-};
-
-/// `foldless bake`
-struct BakeCommand {
-    std::filesystem::path base;
-    std::filesystem::path scan;
-    std::filesystem::path folder;
-    int atlas = 2048; ///< texels on a side
-    bool vector = true;
-    bool normal = true;
-    bool color = true; ///< if the scan has colours
-    std::optional<std::filesystem::path> report;
-    std::optional<int> threads;
     bool quiet = false;
 };
 

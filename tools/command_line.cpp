@@ -69,6 +69,9 @@ void declare_files(CLI::App& app, SimplifyArguments& arguments) {
     app.add_option("--report", arguments.report, "write a report")->type_name("FILE.json");
     app.add_option("--correspondence", arguments.correspondence, "write where each scan vertex lies on the base mesh")
         ->type_name("FILE.ply");
+    app.add_option("--bake", arguments.bake, "bake the maps of the base mesh into a folder, too")->type_name("DIR");
+    app.add_option("--atlas", arguments.atlas, "texels on a side of the maps of --bake, 2048 by default")
+        ->type_name("N");
 }
 
 void declare_stops(CLI::App& app, SimplifyArguments& arguments) {

@@ -11,6 +11,7 @@
 #include <foldless/report/json_report.h>
 #include <foldless/report/process_usage.h>
 #include <foldless/report/summary.h>
+#include <foldless/tools/bake.h>
 #include <foldless/tools/console.h>
 #include <foldless/tools/input.h>
 #include <foldless/tools/threads.h>
@@ -33,6 +34,9 @@ void require_writable_outputs(const SimplifyCommand& command) {
     }
     if (command.report) {
         require_writable(*command.report);
+    }
+    if (command.bake) {
+        require_writable_outputs(*command.bake);
     }
 }
 
@@ -223,7 +227,8 @@ ExitCode Simplification::run() {
 
 ExitCode run(const SimplifyCommand& command) {
     const ThreadAllowance allowance(threads_to_use(command.options.threads));
-    return Simplification(command).run();
+    const ExitCode code = Simplification(command).run();
+    return code == ExitCode::done && command.bake ? run(*command.bake) : code;
 }
 
 } // namespace foldless

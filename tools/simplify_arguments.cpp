@@ -2,6 +2,7 @@
 
 #include <foldless/io/file_type.h>
 #include <foldless/io/printable.h>
+#include <foldless/tools/bake_arguments.h>
 #include <foldless/tools/distinct_files.h>
 #include <foldless/tools/option_values.h>
 #include <foldless/tools/wrong_usage.h>
@@ -78,6 +79,21 @@ void name_files(SimplifyCommand& command, const SimplifyArguments& arguments) {
     require_distinct_files(outputs(command), {{"the scan", command.scan}});
 }
 
+/// What is to be baked from the base mesh once it is written.
+BakeCommand baking(const SimplifyCommand& command, const SimplifyArguments& arguments) {
+    if (command.options.directions == Directions::face) {
+        throw WrongUsage("--directions face and --bake contradict one another: displaced, the faces would not meet");
+    }
+    BakeArguments bake;
+    bake.base = arguments.base;
+    bake.scan = arguments.scan;
+    bake.folder = *arguments.bake;
+    bake.atlas = arguments.atlas;
+    bake.threads = arguments.threads;
+    bake.quiet = arguments.quiet;
+    return bake_command(bake);
+}
+
 } // namespace
 
 SimplifyCommand simplify_command(const SimplifyArguments& arguments) {
@@ -96,6 +112,12 @@ SimplifyCommand simplify_command(const SimplifyArguments& arguments) {
     command.verify = !arguments.no_verify;
     command.quiet = arguments.quiet;
     name_files(command, arguments);
+    if (arguments.atlas && !arguments.bake) {
+        throw WrongUsage("--atlas is the size of the maps that --bake writes: give both");
+    }
+    if (arguments.bake) {
+        command.bake = baking(command, arguments);
+    }
     return command;
 }
 

@@ -25,6 +25,8 @@ struct SimplifyArguments {
     std::optional<std::string> time_limit;
     std::optional<std::string> report;
     std::optional<std::string> correspondence;
+    std::optional<std::string> bake;
+    std::optional<std::string> atlas;
     bool no_verify = false;
     bool quiet = false;
 };

@@ -114,6 +114,33 @@ class Maps(BakeTest):
         self.assertGreaterEqual(maps["uncovered"], 0)
 
 
+class SimplifyAndBake(BakeTest):
+    def test_writes_what_two_commands_write(self):
+        self.decimated(sphere(12, 16), "--faces", "40")
+        self.bake("--quiet")
+        self.expect(0, "simplify", "scan.off", "-o", "base.ply", "--faces", "40", "--bake", "both", "--atlas", "128")
+        self.assertEqual(sorted(path.name for path in (self.folder / "both").iterdir()), sorted(path.name for path in (self.folder / "maps").iterdir()))
+        for path in (self.folder / "maps").iterdir():
+            self.assertEqual(path.read_bytes(), (self.folder / "both" / path.name).read_bytes(), path.name)
+
+    def test_an_atlas_without_room_leaves_the_base_mesh(self):
+        write_off(self.folder / "scan.off", sphere(12, 16))
+        line = self.expect_one_line(2, "simplify", "scan.off", "-o", "base.ply", "--bake", "maps", "--atlas", "2", "--quiet")
+        self.assertIn("--atlas", line)
+        self.assertTrue((self.folder / "base.ply").exists())
+        self.assertFalse((self.folder / "maps").exists())
+
+    def test_what_contradicts_itself_is_wrong_usage(self):
+        write_off(self.folder / "scan.off", sphere(12, 16))
+        self.expect_one_line(2, "simplify", "scan.off", "-o", "base.ply", "--atlas", "128")
+        self.expect_one_line(2, "simplify", "scan.off", "-o", "base.ply", "--bake", "maps", "--directions", "face")
+        self.expect_one_line(2, "simplify", "scan.off", "-o", "base.ply", "--bake", "maps", "--atlas", "0")
+        self.expect_one_line(2, "simplify", "scan.off", "-o", "base.ply", "--bake", "")
+        self.expect_one_line(5, "simplify", "scan.off", "-o", "base.ply", "--bake", "scan.off")
+        self.expect_one_line(2, "simplify", "scan.off", "-o", "maps/base.obj", "--bake", "maps")
+        self.assertFalse((self.folder / "base.ply").exists())
+
+
 class Reports(BakeTest):
     def test_bake_tells_what_it_wrote(self):
         self.decimated(sphere(12, 16))
@@ -226,7 +253,7 @@ class Refusals(BakeTest):
         self.bake("--quiet")
         before = (self.folder / "maps/base.obj").read_bytes()
         line = self.expect_one_line(2, "bake", "maps/base.obj", "scan.off", "-o", "maps")
-        self.assertIn("base.obj in --output", line)
+        self.assertIn("base.obj of the maps", line)
         self.expect_one_line(2, "bake", "base.ply", "maps/base.obj", "-o", "./maps")
         self.assertEqual((self.folder / "maps/base.obj").read_bytes(), before)
 
