@@ -1,7 +1,9 @@
 #include <foldless/bake/atlas_maps.h>
 
 #include <foldless/bake/chart_samples.h>
+#include <foldless/bake/direct_samples.h>
 #include <foldless/bake/over_face.h>
+#include <foldless/bake/scan_rays.h>
 
 #include <foldless/predicates/default_arithmetic.h>
 
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 #include <stdexcept>
 
 namespace foldless {
@@ -38,6 +41,9 @@ public:
     AtlasBaker(const BaseMesh& base, const ScanSurface& scan, const SurfaceMap& map, const Atlas& atlas,
                const AtlasMapsOptions& options)
         : base_(base), scan_(scan), map_(map), atlas_(atlas), options_(options) {
+        if (options.method == BakeMethod::direct) {
+            rays_.emplace(scan.scan());
+        }
         const std::vector<std::string> rgb{"R", "G", "B"};
         maps_.displacement = blank(atlas.size, {"Y"});
         maps_.mask = blank(atlas.size, {"Y"});
@@ -66,12 +72,16 @@ private:
     void bake_face(std::int32_t face) {
         const Chart& chart = atlas_.charts[face];
         const BaseTriangle triangle = base_triangle(base_, face, chart.corner);
-        const FaceSamples samples = samples_of(base_, scan_.scan(), map_, {face, chart.corner, chart.lattice});
+        const FaceSamples samples = samples_on({face, chart.corner, chart.lattice});
         contested_ += samples.contested;
         count(samples);
         for (const ChartSample& sample : with_gutter(samples, triangle, scan_.scan(), atlas_.gutter)) {
             write(chart, triangle, sample);
         }
+    }
+
+    [[nodiscard]] FaceSamples samples_on(const LatticeOnFace& where) const {
+        return rays_ ? direct_samples(base_, *rays_, map_, where) : samples_of(base_, scan_.scan(), map_, where);
     }
 
     void count(const FaceSamples& samples) {
@@ -110,6 +120,7 @@ private:
     const SurfaceMap& map_;
     const Atlas& atlas_;
     const AtlasMapsOptions& options_;
+    std::optional<ScanRays> rays_; ///< for the direct method
     AtlasMaps maps_;
     std::atomic<std::size_t> samples_{0};
     std::atomic<std::size_t> uncovered_{0};

@@ -15,7 +15,14 @@
 
 namespace foldless {
 
+/// How the point of the scan for a sample is found. (Maggiordomo et al. 2023, section 5)
+enum class BakeMethod {
+    inverse, ///< scan faces are drawn into the charts, by exact signs: no sample over the scan is left out
+    direct,  ///< a ray is cast from each sample, in float32: a check of the other, by other means
+};
+
 struct AtlasMapsOptions {
+    BakeMethod method = BakeMethod::inverse;
     bool vector = true;                   ///< bake the displacement vectors too
     bool normal = true;                   ///< and the normals of the scan
     bool colour = true;                   ///< and its colours, if it has any
@@ -33,16 +40,18 @@ struct AtlasMaps {
 
     bool cancelled = false;
     std::size_t samples = 0;   ///< inside the charts
-    std::size_t uncovered = 0; ///< of these, displaced to nothing: where a trimmed scan ends
-    std::size_t contested = 0; ///< of these, claimed by several faces (face_raster.h)
+    std::size_t uncovered = 0; ///< of these, displaced to nothing: where a trimmed scan ends, or a ray meets nothing
+    std::size_t contested = 0; ///< of these, claimed by several faces (face_raster.h, direct_samples.h)
 };
 
 /// Each sample of each chart gets the point of the scan that it is displaced to, and so do as many texels around the
 /// covered ones as the gutter is wide: there the scan face of the nearest covered sample is continued in its plane. The
 /// same bytes for any number of threads.
 ///
-/// \throws std::invalid_argument for less than one thread.
-/// Memory: the maps, and for each thread the samples of one face. Time O(texels + scan faces).
+/// \throws std::invalid_argument for less than one thread; by the direct method std::runtime_error where Embree cannot
+/// run.
+/// Memory: the maps, and for each thread the samples of one face; by the direct method a hierarchy over the scan faces,
+/// too. Time O(texels + scan faces); by the direct method that of a ray for each sample.
 [[nodiscard]] AtlasMaps bake_atlas(const BaseMesh& base, const ScanSurface& scan, const SurfaceMap& map,
                                    const Atlas& atlas, const AtlasMapsOptions& options = {});
 

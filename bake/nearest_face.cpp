@@ -1,17 +1,11 @@
 #include <foldless/bake/nearest_face.h>
 
-#include <embree3/rtcore.h>
+#include <foldless/bake/embree.h>
 
 #include <cmath>
-#include <new>
-#include <stdexcept>
-#include <string>
 
 namespace foldless::distances {
 namespace {
-
-/// No files that users of Embree may have in their folders, and no threads of its own.
-constexpr const char* configuration = "ignore_config_files=1,start_threads=0,set_affinity=0";
 
 /// Embree compares float32 distances between a rounded point and rounded boxes. Coordinates in [-1, 1] are off by
 /// 2^-25, the distance of the point from a box by 2 sqrt(3) times that, and the squares that are compared by a few
@@ -56,41 +50,20 @@ bool look_at_face(RTCPointQueryFunctionArguments* arguments) {
     return found.squared_distance < least;
 }
 
-void require_no_error(RTCDevice device) {
-    const RTCError error = rtcGetDeviceError(device);
-    if (error == RTC_ERROR_OUT_OF_MEMORY) {
-        throw std::bad_alloc();
-    }
-    if (error != RTC_ERROR_NONE) {
-        throw std::runtime_error("Embree fails with error " + std::to_string(error));
-    }
+EmbreeScene scene_of(const EmbreeDevice& device, const Surface& surface) {
+    const EmbreeGeometry geometry(embree().new_geometry(device.get(), RTC_GEOMETRY_TYPE_USER));
+    require_no_error(device);
+    embree().set_user_primitive_count(geometry.get(), static_cast<unsigned>(surface.faces.size()));
+    embree().set_user_data(geometry.get(), const_cast<Surface*>(&surface)); // Embree hands it back and no more
+    embree().set_bounds_function(
+        geometry.get(), [](const RTCBoundsFunctionArguments* arguments) { box_of_face(arguments); }, nullptr);
+    return embree_scene(device, geometry);
 }
 
 } // namespace
 
-void NearestFace::Release::operator()(RTCDeviceTy* device) const {
-    rtcReleaseDevice(device);
-}
-
-void NearestFace::Release::operator()(RTCSceneTy* scene) const {
-    rtcReleaseScene(scene);
-}
-
-NearestFace::NearestFace(const Surface& surface) : surface_(surface), device_(rtcNewDevice(configuration)) {
-    require_no_error(device_.get());
-    scene_.reset(rtcNewScene(device_.get()));
-    require_no_error(device_.get());
-    const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(surface.faces.size()));
-    rtcSetGeometryUserData(geometry, const_cast<Surface*>(&surface)); // Embree hands it back and no more
-    rtcSetGeometryBoundsFunction(
-        geometry, [](const RTCBoundsFunctionArguments* arguments) { box_of_face(arguments); }, nullptr);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_.get(), geometry);
-    rtcReleaseGeometry(geometry);
-    rtcJoinCommitScene(scene_.get()); // on the threads of this arena, where rtcCommitScene() has its own
-    require_no_error(device_.get());
-}
+NearestFace::NearestFace(const Surface& surface)
+    : surface_(surface), device_(embree_device()), scene_(scene_of(device_, surface)) {}
 
 NearestOnFace NearestFace::nearest(const Vec3& query, std::int32_t guess) const {
     Search search{surface_, query, {guess, nearest_on(guess, query)}};
@@ -101,7 +74,7 @@ NearestOnFace NearestFace::nearest(const Vec3& query, std::int32_t guess) const 
     point.radius = radius_that_reaches(search.best.nearest.squared_distance);
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
-    rtcPointQuery(scene_.get(), &point, &context, look_at_face, &search);
+    embree().point_query(scene_.get(), &point, &context, look_at_face, &search);
     return search.best;
 }
 

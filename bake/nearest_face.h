@@ -2,14 +2,11 @@
 /// The face of a surface that is nearest to a given point.
 #pragma once
 
+#include <foldless/bake/embree_scene.h>
 #include <foldless/bake/triangle_distance.h>
 #include <foldless/io/scan.h>
 
-#include <memory>
 #include <vector>
-
-struct RTCDeviceTy;
-struct RTCSceneTy;
 
 namespace foldless::distances {
 
@@ -50,14 +47,9 @@ public:
     }
 
 private:
-    struct Release {
-        void operator()(RTCDeviceTy* device) const;
-        void operator()(RTCSceneTy* scene) const;
-    };
-
     const Surface& surface_;
-    std::unique_ptr<RTCDeviceTy, Release> device_;
-    std::unique_ptr<RTCSceneTy, Release> scene_;
+    EmbreeDevice device_;
+    EmbreeScene scene_;
 };
 
 } // namespace foldless::distances

@@ -15,19 +15,6 @@ std::array<int, 3> corners_of(const BaseTriangle& frozen, const Scan& scan, std:
     return result;
 }
 
-FaceSamples frozen_samples(const BaseTriangle& triangle, const Scan& scan, std::int32_t scan_face,
-                           const SampleLattice& lattice) {
-    const std::array<int, 3> corner = corners_of(triangle, scan, scan_face);
-    FaceSamples samples(lattice, {0.0, 0.0});
-    for (int j = 0; j <= lattice.rows; ++j) {
-        for (int i = 0; i <= lattice.last_column(j); ++i) {
-            const Vec3 alpha = lattice.alpha(i, j);
-            samples.at(i, j) = {scan_face, 0.0, alpha[corner[1]], alpha[corner[2]]};
-        }
-    }
-    return samples;
-}
-
 } // namespace
 
 BaseTriangle base_triangle(const BaseMesh& base, std::int32_t face, int first) {
@@ -40,11 +27,24 @@ BaseTriangle base_triangle(const BaseMesh& base, std::int32_t face, int first) {
     return triangle;
 }
 
-FaceSamples samples_of(const BaseMesh& base, const Scan& scan, const SurfaceMap& map, const LatticeOnFace& where) {
-    const BaseTriangle triangle = base_triangle(base, where.face, where.first);
-    if (map.frozen[where.face]) {
-        return frozen_samples(triangle, scan, map.over(where.face).front(), where.lattice);
+FaceSamples frozen_samples(const BaseMesh& base, const Scan& scan, const SurfaceMap& map, const LatticeOnFace& where) {
+    const std::int32_t scan_face = map.over(where.face).front();
+    const std::array<int, 3> corner = corners_of(base_triangle(base, where.face, where.first), scan, scan_face);
+    FaceSamples samples(where.lattice, {0.0, 0.0});
+    for (int j = 0; j <= where.lattice.rows; ++j) {
+        for (int i = 0; i <= where.lattice.last_column(j); ++i) {
+            const Vec3 alpha = where.lattice.alpha(i, j);
+            samples.at(i, j) = {scan_face, 0.0, alpha[corner[1]], alpha[corner[2]]};
+        }
     }
+    return samples;
+}
+
+FaceSamples samples_of(const BaseMesh& base, const Scan& scan, const SurfaceMap& map, const LatticeOnFace& where) {
+    if (map.frozen[where.face]) {
+        return frozen_samples(base, scan, map, where);
+    }
+    const BaseTriangle triangle = base_triangle(base, where.face, where.first);
     return rasterise(triangle, map.ranges[where.face], scan, map.over(where.face), where.lattice);
 }
 
