@@ -169,6 +169,7 @@ Json notes_json(const ReadNotes& notes) {
 
 Json maps_json(const MapsRecord& maps) {
     return {{"path", text_or_null(maps.path)},
+            {"method", maps.method == BakeMethod::direct ? "direct" : "inverse"},
             {"size", maps.size},
             {"samples", maps.samples},
             {"uncovered", maps.uncovered},

@@ -2,6 +2,7 @@
 /// What a run did: everything that its report and its summary tell.
 #pragma once
 
+#include <foldless/bake/atlas_maps.h>
 #include <foldless/bake/surface_distance.h>
 #include <foldless/decimate/decimate.h>
 #include <foldless/io/defects.h>
@@ -76,7 +77,8 @@ struct RepairRecord {
 /// The files that `foldless bake` wrote.
 struct MapsRecord {
     std::string path; ///< the folder; empty if nothing was written
-    int size = 0;     ///< texels on a side
+    BakeMethod method = BakeMethod::inverse;
+    int size = 0; ///< texels on a side
     std::size_t samples = 0;
     std::size_t uncovered = 0; ///< samples
     std::size_t contested = 0; ///< samples

@@ -78,6 +78,7 @@ AtlasMaps bake_with_bar(const BakeCommand& command, const BaseMesh& base, const 
                         const SurfaceMap& map, const Atlas& atlas) {
     ProgressBar bar(Console(command.quiet).bar_output());
     AtlasMapsOptions options;
+    options.method = command.method;
     options.vector = command.vector;
     options.normal = command.normal;
     options.colour = command.color;
@@ -91,8 +92,9 @@ AtlasMaps bake_with_bar(const BakeCommand& command, const BaseMesh& base, const 
 
 std::string summary_line(const MapsRecord& maps) {
     const double share = 100.0 * static_cast<double>(maps.uncovered) / static_cast<double>(maps.samples);
-    return fmt::format("{}: {} x {} texels, {} samples, {:.2f} % of them uncovered", printable(maps.path), maps.size,
-                       maps.size, maps.samples, share);
+    const std::string line = fmt::format("{}: {} x {} texels, {} samples, {:.2f} % of them uncovered",
+                                         printable(maps.path), maps.size, maps.size, maps.samples, share);
+    return maps.method == BakeMethod::direct ? fmt::format("{}: {} rays met nothing", line, maps.uncovered) : line;
 }
 
 /// What is known before there are maps.
@@ -100,6 +102,7 @@ BakeRecord record_of(const BakeCommand& command, const BaseMesh& base, const Inp
     BakeRecord record;
     record.input = input.record;
     record.base = {command.base.string(), base.positions.size(), base.faces.size(), 0};
+    record.maps.method = command.method;
     record.maps.size = command.atlas;
     record.usage.threads = threads_to_use(command.threads);
     return record;
@@ -152,7 +155,7 @@ ExitCode run(const BakeCommand& command) {
     const ScanSurface surface(scan, read.appearance.vertex_colours);
     const AtlasMaps maps = bake_with_bar(command, base, surface, mapped.map, atlas);
     times.bake = watch.lap();
-    record.maps = {command.folder.string(), atlas.size, maps.samples, maps.uncovered, maps.contested};
+    record.maps = {command.folder.string(), command.method, atlas.size, maps.samples, maps.uncovered, maps.contested};
     make_folder(command.folder);
     std::vector<AtomicFile> files =
         stage_maps(command.folder, {&base, &atlas, &maps}, fmt::format("foldless {}", version()));

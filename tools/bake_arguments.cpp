@@ -89,6 +89,9 @@ BakeCommand bake_command(const BakeArguments& arguments) {
     if (arguments.maps) {
         choose_maps(command, *arguments.maps);
     }
+    if (arguments.method) {
+        command.method = choice<BakeMethod>({"--method", *arguments.method});
+    }
     if (arguments.threads) {
         command.threads = thread_count({"--threads", *arguments.threads});
     }

@@ -2,12 +2,21 @@
 /// The options of `foldless bake` and `foldless reconstruct` as they are spelled.
 #pragma once
 
+#include <foldless/bake/atlas_maps.h>
+#include <foldless/report/option_names.h>
 #include <foldless/tools/command.h>
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace foldless {
+
+template <>
+struct OptionNames<BakeMethod> {
+    static constexpr std::array<std::string_view, 2> words{"inverse", "direct"};
+};
 
 struct BakeArguments {
     std::string base;
@@ -15,6 +24,7 @@ struct BakeArguments {
     std::string folder;
     std::optional<std::string> atlas;
     std::optional<std::string> maps;
+    std::optional<std::string> method;
     std::optional<std::string> report;
     std::optional<std::string> threads;
     bool quiet = false;

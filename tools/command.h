@@ -2,6 +2,7 @@
 /// What a command line asks for.
 #pragma once
 
+#include <foldless/bake/atlas_maps.h>
 #include <foldless/decimate/decimate.h>
 #include <foldless/repair/repair.h>
 #include <foldless/report/run_record.h>
@@ -26,6 +27,7 @@ struct BakeCommand {
     std::filesystem::path scan;
     std::filesystem::path folder;
     int atlas = 2048; ///< texels on a side
+    BakeMethod method = BakeMethod::inverse;
     bool vector = true;
     bool normal = true;
     bool color = true; ///< if the scan has colours

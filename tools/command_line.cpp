@@ -140,6 +140,9 @@ void declare_bake(CLI::App& app, BakeArguments& arguments) {
     app.add_option("--atlas", arguments.atlas, "texels on a side of the maps, 2048 by default")->type_name("N");
     app.add_option("--maps", arguments.maps, "some of displacement,vector,normal,color; all by default")
         ->type_name("LIST");
+    app.add_option("--method", arguments.method,
+                   "scan faces are drawn into the maps, or a ray is cast from each sample")
+        ->type_name(words<BakeMethod>());
     app.add_option("--report", arguments.report, "write a report")->type_name("FILE.json");
     app.add_option("--threads", arguments.threads, "default: all cores; the result does not depend on it")
         ->type_name("N");

@@ -105,6 +105,17 @@ class Maps(BakeTest):
             written.append([(self.folder / "maps" / name).read_bytes() for name in MAPS])
         self.assertEqual(*written)
 
+    def test_rays_find_the_same_map(self):
+        self.decimated(sphere(16, 24))
+        self.bake("--quiet")
+        inverse = grey_png(self.folder / "maps/displacement.png")
+        run = self.bake("--method", "direct")
+        self.assertRegex(run.stderr, r" samples, 0\.00 % of them uncovered: 0 rays met nothing\n\Z")
+        self.assertEqual(grey_png(self.folder / "maps/displacement.png")[:2], inverse[:2])
+        # Both scales are of the same range; float32 edges may move a value by a step or two of 65,536.
+        for direct, other in zip(grey_png(self.folder / "maps/displacement.png")[2], inverse[2]):
+            self.assertLessEqual(abs(direct - other), 2)
+
     def test_a_trimmed_border_leaves_samples_uncovered(self):
         self.decimated(hill(20), "--boundary", "trim")
         self.bake("--quiet")
@@ -147,7 +158,7 @@ class Reports(BakeTest):
         self.bake("--report", "bake.json")
         report = json.loads((self.folder / "bake.json").read_text())
         self.assertEqual("bake", report["command"])
-        self.assertEqual({"path": "maps", "size": 128, "uncovered": 0, "contested": 0}, {key: value for key, value in report["maps"].items() if key != "samples"})
+        self.assertEqual({"path": "maps", "method": "inverse", "size": 128, "uncovered": 0, "contested": 0}, {key: value for key, value in report["maps"].items() if key != "samples"})
         self.assertEqual(json.loads((self.folder / "maps" / "maps.json").read_text())["samples"], report["maps"]["samples"])
         self.assertEqual(0, report["certificate"]["violations"])
         self.assertEqual(["read", "verify", "bake", "write"], list(report["seconds"]))
@@ -236,7 +247,8 @@ class Refusals(BakeTest):
         self.assertIn("an atlas of 16 x 16 has no room for", line)
 
     def test_wrong_values_of_options(self):
-        for arguments in (["--atlas", "0"], ["--atlas", "16385"], ["--atlas", "x"], ["--maps", "heights"]):
+        for arguments in (["--atlas", "0"], ["--atlas", "16385"], ["--atlas", "x"], ["--maps", "heights"], ["--method", "both"],
+                          ["--method", ""]):
             self.expect_one_line(2, "bake", "base.ply", "scan.off", "-o", "maps", *arguments)
         for level in ("-1", "13", "1.5"):
             self.expect_one_line(2, "reconstruct", "base.ply", "maps", "-o", "back.ply", f"--level={level}")
