@@ -14,15 +14,15 @@ struct PhaseTime {
 };
 
 struct PhaseTimes {
-    PhaseTime read;
-    PhaseTime setup;
-    PhaseTime decimate;
-    PhaseTime verify;
-    PhaseTime write;
-    PhaseTime repair;
-    PhaseTime bake;
-    PhaseTime reconstruct;
-    PhaseTime compare;
+    PhaseTime read{};
+    PhaseTime setup{};
+    PhaseTime decimate{};
+    PhaseTime verify{};
+    PhaseTime write{};
+    PhaseTime repair{};
+    PhaseTime bake{};
+    PhaseTime reconstruct{};
+    PhaseTime compare{};
 };
 
 /// Measures from its construction, or from the last lap.
