@@ -153,6 +153,15 @@ Eigen::Vector2d Atlas::coordinates(std::int32_t face, int corner) const {
     return {(texel[0] + 0.5) / size, (texel[1] + 0.5) / size}; // the centre of the texel
 }
 
+std::vector<std::array<Eigen::Vector2d, 3>> texture_coordinates(const Atlas& atlas) {
+    std::vector<std::array<Eigen::Vector2d, 3>> uv;
+    uv.reserve(atlas.charts.size());
+    for (std::int32_t face = 0; face < static_cast<std::int32_t>(atlas.charts.size()); ++face) {
+        uv.push_back({atlas.coordinates(face, 0), atlas.coordinates(face, 1), atlas.coordinates(face, 2)});
+    }
+    return uv;
+}
+
 Atlas make_atlas(const BaseMesh& base, const AtlasOptions& options) {
     std::vector<Legs> legs;
     legs.reserve(base.faces.size());

@@ -49,6 +49,9 @@ struct Atlas {
     [[nodiscard]] Eigen::Vector2d coordinates(std::int32_t face, int corner) const;
 };
 
+/// Those of the corners of each face, in order.
+[[nodiscard]] std::vector<std::array<Eigen::Vector2d, 3>> texture_coordinates(const Atlas& atlas);
+
 /// There is no room for all charts.
 class AtlasTooSmall : public std::invalid_argument {
 public:

@@ -4,6 +4,8 @@
 #include <foldless/bake/direct_samples.h>
 #include <foldless/bake/over_face.h>
 #include <foldless/bake/scan_rays.h>
+#include <foldless/bake/tangent_frames.h>
+#include <foldless/bake/textured_mesh.h>
 
 #include <foldless/predicates/default_arithmetic.h>
 
@@ -36,6 +38,15 @@ void set(Image& image, const std::array<int, 2>& texel, const Eigen::Vector3f& v
     std::copy_n(value.data(), 3, image.values.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
+/// Coordinates for the corners `first`, first + 1, first + 2 (mod 3) as those for the corners 0, 1, 2.
+Vec3 in_order_of_face(const Vec3& alpha, int first) {
+    Vec3 result;
+    for (int k = 0; k < 3; ++k) {
+        result[(first + k) % 3] = alpha[k];
+    }
+    return result;
+}
+
 class AtlasBaker {
 public:
     AtlasBaker(const BaseMesh& base, const ScanSurface& scan, const SurfaceMap& map, const Atlas& atlas,
@@ -49,6 +60,10 @@ public:
         maps_.mask = blank(atlas.size, {"Y"});
         maps_.vector = options.vector ? blank(atlas.size, rgb) : Image();
         maps_.normal = options.normal ? blank(atlas.size, rgb) : Image();
+        if (options.normal) {
+            maps_.tangent_normal = blank(atlas.size, rgb);
+            frames_.emplace(TexturedMesh{&base, texture_coordinates(atlas)});
+        }
         maps_.colour = options.colour && scan.has_colours() ? blank(atlas.size, rgb) : Image();
     }
 
@@ -76,7 +91,7 @@ private:
         contested_ += samples.contested;
         count(samples);
         for (const ChartSample& sample : with_gutter(samples, triangle, scan_.scan(), atlas_.gutter)) {
-            write(chart, triangle, sample);
+            write(face, triangle, sample);
         }
     }
 
@@ -98,17 +113,20 @@ private:
         uncovered_ += uncovered;
     }
 
-    void write(const Chart& chart, const BaseTriangle& triangle, const ChartSample& sample) {
+    void write(std::int32_t face, const BaseTriangle& triangle, const ChartSample& sample) {
+        const Chart& chart = atlas_.charts[face];
         const std::array<int, 2> texel = chart.texel(sample.i, sample.j);
+        const Vec3 alpha = chart.lattice.alpha(sample.i, sample.j);
         set(maps_.displacement, texel, static_cast<float>(sample.point.t));
         set(maps_.mask, texel, sample.is_covered ? 1.0F : 0.0F);
         if (!maps_.vector.values.empty()) {
-            const Vec3 alpha = chart.lattice.alpha(sample.i, sample.j);
             const Vec3 d = alpha[0] * triangle.d[0] + alpha[1] * triangle.d[1] + alpha[2] * triangle.d[2];
             set(maps_.vector, texel, (sample.point.t * d).cast<float>());
         }
         if (!maps_.normal.values.empty()) {
-            set(maps_.normal, texel, scan_.normal(sample.point));
+            const Eigen::Vector3f normal = scan_.normal(sample.point);
+            set(maps_.normal, texel, normal);
+            set(maps_.tangent_normal, texel, frames_->in_frame(face, in_order_of_face(alpha, chart.corner), normal));
         }
         if (!maps_.colour.values.empty()) {
             set(maps_.colour, texel, scan_.colour(sample.point));
@@ -120,7 +138,8 @@ private:
     const SurfaceMap& map_;
     const Atlas& atlas_;
     const AtlasMapsOptions& options_;
-    std::optional<ScanRays> rays_; ///< for the direct method
+    std::optional<ScanRays> rays_;        ///< for the direct method
+    std::optional<TangentFrames> frames_; ///< for normals
     AtlasMaps maps_;
     std::atomic<std::size_t> samples_{0};
     std::atomic<std::size_t> uncovered_{0};

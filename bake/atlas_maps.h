@@ -32,11 +32,12 @@ struct AtlasMapsOptions {
 
 /// Maps over one atlas, rows from the top. Beside the charts they hold zeros.
 struct AtlasMaps {
-    Image displacement; ///< one channel: t, in units of the interpolated direction
-    Image mask;         ///< one channel: 1 where the scan covers the base mesh, else 0
-    Image vector;       ///< t d, model units; empty if not asked for
-    Image normal;       ///< in object space, of length 1; empty if not asked for
-    Image colour;       ///< as the scan has it, 0 to 1; empty if not asked for, or the scan has none
+    Image displacement;   ///< one channel: t, in units of the interpolated direction
+    Image mask;           ///< one channel: 1 where the scan covers the base mesh, else 0
+    Image vector;         ///< t d, model units; empty if not asked for
+    Image normal;         ///< in object space, of length 1; empty if not asked for
+    Image tangent_normal; ///< the same in the frames of the textured base mesh (tangent_frames.h); empty as `normal`
+    Image colour;         ///< as the scan has it, 0 to 1; empty if not asked for, or the scan has none
 
     bool cancelled = false;
     std::size_t samples = 0;   ///< inside the charts

@@ -1,6 +1,7 @@
 #include <foldless/bake/map_files.h>
 
 #include <foldless/bake/textured_mesh.h>
+#include <foldless/bake/write_glb.h>
 #include <foldless/bake/write_textured_obj.h>
 
 #include <foldless/images/image_size.h>
@@ -75,16 +76,6 @@ Json chart_json(const Chart& chart) {
     return {chart.corner, chart.x, chart.y, chart.lattice.columns, chart.lattice.rows, chart.turned ? 1 : 0};
 }
 
-std::vector<std::array<Eigen::Vector2d, 3>> texture_coordinates(const BakedAtlas& baked) {
-    std::vector<std::array<Eigen::Vector2d, 3>> uv;
-    uv.reserve(baked.base->faces.size());
-    for (std::int32_t face = 0; face < static_cast<std::int32_t>(baked.base->faces.size()); ++face) {
-        uv.push_back(
-            {baked.atlas->coordinates(face, 0), baked.atlas->coordinates(face, 1), baked.atlas->coordinates(face, 2)});
-    }
-    return uv;
-}
-
 class Stager {
 public:
     Stager(const std::filesystem::path& folder, const BakedAtlas& baked, const std::string& generator)
@@ -135,25 +126,34 @@ private:
             const Encoding encoding{2.0, 0.5};
             files_.push_back(stage_png(folder_ / "normal_object.png", encoded(maps_.normal, encoding), {8, {}}, {}));
             json_["normal_object"] = encoding.json("normal_object.png");
+            pictures_.normal_png = png_bytes(encoded(maps_.tangent_normal, encoding), {8, {}}, {});
+            files_.push_back(stage_text(folder_ / "normal_tangent.png", *pictures_.normal_png));
+            json_["normal_tangent"] = encoding.json("normal_tangent.png");
         }
     }
 
     void stage_colour() {
         if (!maps_.colour.values.empty()) {
-            files_.push_back(stage_png(folder_ / "color.png", maps_.colour, {8, PngColour::srgb}, {}));
+            pictures_.colour_png = png_bytes(maps_.colour, {8, PngColour::srgb}, {});
+            files_.push_back(stage_text(folder_ / "color.png", *pictures_.colour_png));
             json_["color"] = {{"file", "color.png"}};
         }
     }
 
     void stage_mesh() {
+        const TexturedMesh textured{baked_.base, texture_coordinates(*baked_.atlas)};
         MtlPictures pictures;
         pictures.displacement = "displacement.png";
         if (!maps_.colour.values.empty()) {
             pictures.colour = "color.png";
         }
-        std::vector<AtomicFile> mesh = stage_textured_obj(
-            folder_ / "base.obj", {baked_.base, texture_coordinates(baked_)}, pictures, {generator_});
+        if (!maps_.normal.values.empty()) {
+            pictures.normal = "normal_tangent.png";
+        }
+        std::vector<AtomicFile> mesh = stage_textured_obj(folder_ / "base.obj", textured, pictures, {generator_});
         std::move(mesh.begin(), mesh.end(), std::back_inserter(files_));
+        const GlbNotes notes{generator_, json_.dump()}; // without the charts
+        files_.push_back(stage_glb(folder_ / "base.glb", textured, pictures_, notes));
         json_["mesh"] = "base.obj";
     }
 
@@ -162,6 +162,7 @@ private:
     const AtlasMaps& maps_;
     const std::string& generator_;
     Json json_;
+    GlbPictures pictures_;
     std::vector<AtomicFile> files_;
 };
 

@@ -29,8 +29,10 @@ struct BakedAtlas {
 ///  - `vector.exr`: the displacement t d in model units as scale (value - 0.5), channels R, G, B, in the axes of the
 ///    base mesh, if the maps have it;
 ///  - `normal_object.png`: (n + 1) / 2 for the normal n of the scan, 8 bits, if the maps have it;
+///  - `normal_tangent.png`: the same in the frames of `base.glb` (tangent_frames.h);
 ///  - `color.png`: the scan's colours, 8 bits, if the maps have them;
 ///  - `base.obj` and `base.mtl`: the base mesh with texture coordinates;
+///  - `base.glb`: the same in float32, with directions, normals in their frames and colours;
 ///  - `maps.json`: what these are, with scales, mid-levels and the charts. docs/formats.md describes it.
 /// Scale and mid-level stand in the images too.
 ///

@@ -8,7 +8,7 @@ from meshes import hill, ply_count, sphere, write_off
 from plain_reader import read_ply
 from program import ProgramTest
 
-MAPS = ["base.mtl", "base.obj", "displacement.exr", "displacement.png", "maps.json", "mask.png", "normal_object.png", "vector.exr"]
+MAPS = ["base.glb", "base.mtl", "base.obj", "displacement.exr", "displacement.png", "maps.json", "mask.png", "normal_object.png", "normal_tangent.png", "vector.exr"]
 
 
 def grey_png(path):
@@ -66,7 +66,7 @@ class Maps(BakeTest):
         self.decimated(sphere(12, 16))
         self.bake("--maps", "displacement", "--quiet")
         names = {path.name for path in (self.folder / "maps").iterdir()}
-        self.assertEqual(names, set(MAPS) - {"vector.exr", "normal_object.png"})
+        self.assertEqual(names, set(MAPS) - {"vector.exr", "normal_object.png", "normal_tangent.png"})
 
     def test_colours_of_the_scan_are_baked(self):
         points, faces = sphere(12, 16)
@@ -78,6 +78,19 @@ class Maps(BakeTest):
         self.bake("--maps", "color")
         self.assertTrue((self.folder / "maps/color.png").exists())
         self.assertIn("map_Kd color.png", (self.folder / "maps/base.mtl").read_text(encoding="ascii"))
+
+    def test_the_binary_gltf_holds_pictures_and_says_how_to_read_the_others(self):
+        self.decimated(sphere(12, 16))
+        self.bake("--quiet")
+        data = (self.folder / "maps/base.glb").read_bytes()
+        self.assertEqual(data[:4], b"glTF")
+        gltf = json.loads(data[20 : 20 + int.from_bytes(data[12:16], "little")])
+        self.assertEqual(len(gltf["images"]), 1, "no colours")
+        self.assertIn("_DISPLACEMENT_DIRECTION", gltf["meshes"][0]["primitives"][0]["attributes"])
+        self.assertIn("normalTexture", gltf["materials"][0])
+        notes = gltf["meshes"][0]["extras"]["foldless"]
+        self.assertEqual(notes["vector"], json.loads((self.folder / "maps/maps.json").read_text(encoding="utf-8"))["vector"])
+        self.assertIn((self.folder / "maps/normal_tangent.png").read_bytes(), data)
 
     def test_no_sample_of_a_closed_scan_is_empty(self):
         self.decimated(sphere(16, 24))
