@@ -31,6 +31,8 @@ bool is_thread_count(const std::optional<int>& threads) {
 void require_in_range(const BakeCommand& command) {
     require(!command.base.empty() && !command.scan.empty() && !command.folder.empty(), "files and folder are named");
     require(command.atlas >= 1 && command.atlas <= 16384, "1 to 16384 texels on a side");
+    require(!command.max_error || (std::isfinite(command.max_error->value) && command.max_error->value >= 0),
+            "a bound on the error");
     require(is_thread_count(command.threads), "1 to 1024 threads");
 }
 

@@ -194,6 +194,15 @@ Json comparison_json(const Comparison& comparison) {
             {"to_scan", one_sided_json(comparison.distance.back, comparison.diagonal)}};
 }
 
+Json fit_json(const FitRecord& record) {
+    return {{"max_error", record.max_error},
+            {"fits", record.fit.fits},
+            {"level", record.fit.level},
+            {"bounding_box_diagonal", record.diagonal},
+            {"from_scan", one_sided_json(record.fit.distance.there, record.diagonal)},
+            {"to_scan", one_sided_json(record.fit.distance.back, record.diagonal)}};
+}
+
 std::string text_of(const Json& json) {
     return json.dump(indentation, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -258,10 +267,14 @@ std::string json_report(const BakeRecord& record) {
     json["input"] = mesh_json(record.input);
     json["base"] = output_json(record.base);
     json["maps"] = maps_json(record.maps);
+    json["fit"] = record.fit ? fit_json(*record.fit) : Json(nullptr);
     json["certificate"] = certificate_json(record.certificate);
     const PhaseTimes& times = record.usage.times;
-    const NamedTime phases[]{
-        {"read", times.read}, {"verify", times.verify}, {"bake", times.bake}, {"write", times.write}};
+    const NamedTime phases[]{{"read", times.read},
+                             {"verify", times.verify},
+                             {"fit", times.fit},
+                             {"bake", times.bake},
+                             {"write", times.write}};
     add_usage(json, record.usage, phases);
     return text_of(json);
 }

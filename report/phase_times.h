@@ -20,6 +20,7 @@ struct PhaseTimes {
     PhaseTime verify{};
     PhaseTime write{};
     PhaseTime repair{};
+    PhaseTime fit{};
     PhaseTime bake{};
     PhaseTime reconstruct{};
     PhaseTime compare{};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <foldless/bake/atlas_maps.h>
+#include <foldless/bake/fit_maps.h>
 #include <foldless/bake/surface_distance.h>
 #include <foldless/decimate/decimate.h>
 #include <foldless/io/defects.h>
@@ -84,11 +85,19 @@ struct MapsRecord {
     std::size_t contested = 0; ///< samples
 };
 
+/// The search for maps that fit a bound on the error.
+struct FitRecord {
+    double max_error = 0.0; ///< model units: what was asked for
+    double diagonal = 0.0;  ///< of the scan, model units
+    MapFit fit;
+};
+
 /// A run of `foldless bake`.
 struct BakeRecord {
     InputRecord input;
     OutputRecord base;
     MapsRecord maps;
+    std::optional<FitRecord> fit;
     VerifyResult certificate;
     Usage usage;
 };

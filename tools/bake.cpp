@@ -1,8 +1,10 @@
 #include <foldless/tools/bake.h>
 
 #include <foldless/bake/atlas_maps.h>
+#include <foldless/bake/fit_maps.h>
 #include <foldless/bake/map_files.h>
 #include <foldless/io/atomic_file.h>
+#include <foldless/io/bounding_box.h>
 #include <foldless/io/errors.h>
 #include <foldless/io/printable.h>
 #include <foldless/io/write_mesh.h>
@@ -13,6 +15,7 @@
 #include <foldless/tools/base_input.h>
 #include <foldless/tools/console.h>
 #include <foldless/tools/input.h>
+#include <foldless/tools/lengths.h>
 #include <foldless/tools/threads.h>
 #include <foldless/tools/verify.h>
 #include <foldless/tools/wrong_usage.h>
@@ -90,11 +93,53 @@ AtlasMaps bake_with_bar(const BakeCommand& command, const BaseMesh& base, const 
     return bake_atlas(base, surface, map, atlas, options);
 }
 
+/// How large the maps are to be, if that depends on an error.
+std::optional<FitRecord> fit_with_bar(const BakeCommand& command, const BaseMesh& base, const ScanSurface& surface,
+                                      const SurfaceMap& map) {
+    if (!command.max_error) {
+        return std::nullopt;
+    }
+    ProgressBar bar(Console(command.quiet).bar_output());
+    FitRecord record;
+    record.diagonal = bounding_box_diagonal(surface.scan());
+    record.max_error = in_model_units(*command.max_error, record.diagonal);
+    FitOptions options;
+    options.max_error = record.max_error;
+    options.bound = comparison_bound * record.diagonal;
+    options.largest = command.atlas;
+    options.threads = threads_to_use(command.threads);
+    options.progress = [&](double share) {
+        bar.show("fitting", share, "");
+        return true;
+    };
+    record.fit = fit_maps(base, surface, map, options);
+    return record;
+}
+
+std::string fit_text(const FitRecord& record) {
+    const double most = record.fit.distance.maximum_bound();
+    return fmt::format("at --level {} within {:.4g} of the scan ({:.4f} % of the diagonal)", record.fit.level, most,
+                       100.0 * most / record.diagonal);
+}
+
 std::string summary_line(const MapsRecord& maps) {
     const double share = 100.0 * static_cast<double>(maps.uncovered) / static_cast<double>(maps.samples);
     const std::string line = fmt::format("{}: {} x {} texels, {} samples, {:.2f} % of them uncovered",
                                          printable(maps.path), maps.size, maps.size, maps.samples, share);
     return maps.method == BakeMethod::direct ? fmt::format("{}: {} rays met nothing", line, maps.uncovered) : line;
+}
+
+std::vector<std::string> summary_lines(const BakeRecord& record) {
+    std::vector<std::string> lines{summary_line(record.maps)};
+    if (record.fit) {
+        lines.push_back(fmt::format("{}: {}", printable(record.maps.path), fit_text(*record.fit)));
+    }
+    return lines;
+}
+
+std::string shortfall_text(const FitRecord& record) {
+    return fmt::format("--max-error {:.4g} is not reached: {} x {} texels are {}", record.max_error, record.fit.size,
+                       record.fit.size, fit_text(record));
 }
 
 /// What is known before there are maps.
@@ -144,7 +189,7 @@ ExitCode run(const BakeCommand& command) {
     BakeRecord record = record_of(command, base, read.input);
     PhaseTimes& times = record.usage.times;
     times.read = watch.lap();
-    const Atlas atlas = atlas_for(base, command.atlas);
+    (void)atlas_for(base, command.atlas); // there is room, or nothing else needs to be done
     MappedSurface mapped = map_with_bar(command, base, scan);
     times.verify = watch.lap();
     record.certificate = std::move(mapped.certificate);
@@ -153,6 +198,9 @@ ExitCode run(const BakeCommand& command) {
         return refuse(command, record);
     }
     const ScanSurface surface(scan, read.appearance.vertex_colours);
+    record.fit = fit_with_bar(command, base, surface, mapped.map);
+    times.fit = watch.lap();
+    const Atlas atlas = atlas_for(base, record.fit ? record.fit->fit.size : command.atlas);
     const AtlasMaps maps = bake_with_bar(command, base, surface, mapped.map, atlas);
     times.bake = watch.lap();
     record.maps = {command.folder.string(), command.method, atlas.size, maps.samples, maps.uncovered, maps.contested};
@@ -161,8 +209,11 @@ ExitCode run(const BakeCommand& command) {
         stage_maps(command.folder, {&base, &atlas, &maps}, fmt::format("foldless {}", version()));
     times.write = watch.lap();
     stage_report(files, command, record);
-    const std::vector<std::string> lines{summary_line(record.maps)};
+    const std::vector<std::string> lines = summary_lines(record);
     commit_all(files);
+    if (record.fit && !record.fit->fit.fits) {
+        print_message(shortfall_text(*record.fit));
+    }
     console.print(lines);
     return ExitCode::done;
 }

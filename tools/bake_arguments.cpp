@@ -1,5 +1,6 @@
 #include <foldless/tools/bake_arguments.h>
 
+#include <foldless/bake/fit_maps.h>
 #include <foldless/bake/reconstruct.h>
 #include <foldless/io/file_type.h>
 #include <foldless/io/printable.h>
@@ -83,6 +84,10 @@ BakeCommand bake_command(const BakeArguments& arguments) {
         command.report = file_name({"--report", *arguments.report});
     }
     keep_inputs(command);
+    if (arguments.max_error) {
+        command.max_error = length({"--max-error", *arguments.max_error});
+        command.atlas = FitOptions{}.largest;
+    }
     if (arguments.atlas) {
         command.atlas = whole_number({"--atlas", *arguments.atlas}, {1, largest_atlas});
     }

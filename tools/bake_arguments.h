@@ -23,6 +23,7 @@ struct BakeArguments {
     std::string scan;
     std::string folder;
     std::optional<std::string> atlas;
+    std::optional<std::string> max_error;
     std::optional<std::string> maps;
     std::optional<std::string> method;
     std::optional<std::string> report;

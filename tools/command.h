@@ -26,7 +26,8 @@ struct BakeCommand {
     std::filesystem::path base;
     std::filesystem::path scan;
     std::filesystem::path folder;
-    int atlas = 2048; ///< texels on a side
+    int atlas = 2048;                ///< texels on a side
+    std::optional<Length> max_error; ///< then `atlas` is the largest size to try
     BakeMethod method = BakeMethod::inverse;
     bool vector = true;
     bool normal = true;

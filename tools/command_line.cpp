@@ -138,6 +138,10 @@ void declare_bake(CLI::App& app, BakeArguments& arguments) {
     app.add_option("SCAN", arguments.scan, "the scan: .ply, .obj, .off or .stl")->required();
     app.add_option("-o,--output", arguments.folder, "the folder to write the maps into")->required()->type_name("DIR");
     app.add_option("--atlas", arguments.atlas, "texels on a side of the maps, 2048 by default")->type_name("N");
+    app.add_option("--max-error", arguments.max_error,
+                   "take the smallest maps that give the scan back within so much: model units, or e.g. 0.1% of the "
+                   "diagonal; --atlas is the largest size to try then, 8192 by default")
+        ->type_name("D");
     app.add_option("--maps", arguments.maps, "some of displacement,vector,normal,color; all by default")
         ->type_name("LIST");
     app.add_option("--method", arguments.method,

@@ -16,6 +16,7 @@
 #include <foldless/tools/base_input.h>
 #include <foldless/tools/console.h>
 #include <foldless/tools/input.h>
+#include <foldless/tools/lengths.h>
 #include <foldless/tools/plain_mesh.h>
 #include <foldless/tools/threads.h>
 
@@ -61,9 +62,6 @@ Scan stored_surface(const ReconstructCommand& command, const BaseMesh& base) {
     }
     return surface;
 }
-
-/// The maxima are known to within this share of the diagonal.
-constexpr double comparison_bound = 1e-5;
 
 Comparison compare_with_bar(const ReconstructCommand& command, const Input& input, const Scan& surface) {
     ProgressBar bar(Console(command.quiet).bar_output());

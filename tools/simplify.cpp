@@ -14,6 +14,7 @@
 #include <foldless/tools/bake.h>
 #include <foldless/tools/console.h>
 #include <foldless/tools/input.h>
+#include <foldless/tools/lengths.h>
 #include <foldless/tools/threads.h>
 #include <foldless/tools/verify.h>
 
@@ -60,7 +61,7 @@ DecimateOptions options_for(const SimplifyCommand& command, const Scan& scan, do
     }
     if (command.max_displacement) {
         const Length& length = *command.max_displacement;
-        options.max_displacement = length.relative ? length.value * bounding_box_diagonal(scan) : length.value;
+        options.max_displacement = in_model_units(length, bounding_box_diagonal(scan));
     }
     if (options.time_limit) {
         options.time_limit = std::max(0.0, *options.time_limit - seconds_since_start);

@@ -174,7 +174,7 @@ class Reports(BakeTest):
         self.assertEqual({"path": "maps", "method": "inverse", "size": 128, "uncovered": 0, "contested": 0}, {key: value for key, value in report["maps"].items() if key != "samples"})
         self.assertEqual(json.loads((self.folder / "maps" / "maps.json").read_text())["samples"], report["maps"]["samples"])
         self.assertEqual(0, report["certificate"]["violations"])
-        self.assertEqual(["read", "verify", "bake", "write"], list(report["seconds"]))
+        self.assertEqual(["read", "verify", "fit", "bake", "write"], list(report["seconds"]))
 
     def test_bake_tells_what_is_wrong(self):
         self.decimated(sphere(12, 16))
@@ -203,6 +203,38 @@ class Reports(BakeTest):
         self.assertLess(distances[1], distances[0])
         self.reconstruct("--report", "back.json")
         self.assertIsNone(json.loads((self.folder / "back.json").read_text())["comparison"])
+
+    def test_maps_are_as_large_as_the_error_asks_for(self):
+        self.decimated(sphere(40, 60), "--faces", "60")
+        sizes = []
+        for error in ("5%", "0.5%", "0.2%"):
+            run = self.expect(0, "bake", "base.ply", "scan.off", "-o", "maps", "--max-error", error, "--atlas", "1024", "--report", "bake.json")
+            report = json.loads((self.folder / "bake.json").read_text())
+            fit = report["fit"]
+            self.assertTrue(fit["fits"], fit)
+            self.assertAlmostEqual(fit["max_error"], float(error[:-1]) / 100 * fit["bounding_box_diagonal"])
+            self.assertIn(f"--level {fit['level']} within", run.stderr)
+            sizes.append((report["maps"]["size"], fit["level"]))
+            self.reconstruct("--level", str(fit["level"]), "--compare", "scan.off", "--report", "back.json")
+            comparison = json.loads((self.folder / "back.json").read_text())["comparison"]
+            for side in ("from_scan", "to_scan"):
+                self.assertLessEqual(comparison[side]["maximum_bound"], fit["max_error"])
+                self.assertAlmostEqual(comparison[side]["maximum"], fit[side]["maximum"], 5)
+            if fit["level"] > 0:
+                self.reconstruct("--level", str(fit["level"] - 1), "--compare", "scan.off", "--report", "back.json")
+                comparison = json.loads((self.folder / "back.json").read_text())["comparison"]
+                self.assertGreater(max(comparison[side]["maximum_bound"] for side in ("from_scan", "to_scan")), fit["max_error"])
+        self.assertEqual(sizes, sorted(sizes))
+        self.assertLess(sizes[0], sizes[2])
+
+    def test_an_error_that_is_not_reached_is_told(self):
+        self.decimated(sphere(12, 16))
+        for quiet in ([], ["--quiet"]):
+            run = self.expect(0, "bake", "base.ply", "scan.off", "-o", "maps", "--max-error", "0", "--atlas", "300", "--report", "bake.json", *quiet)
+            self.assertIn("foldless: --max-error 0 is not reached: 300 x 300 texels", run.stderr)
+            self.assertEqual(300, json.loads((self.folder / "bake.json").read_text())["maps"]["size"])
+        for bound in ("-1", "x", "nan", "1%%"):
+            self.expect_one_line(2, "bake", "base.ply", "scan.off", "-o", "maps", f"--max-error={bound}")
 
     def test_what_is_compared_with_stays(self):
         self.decimated(sphere(12, 16))
