@@ -29,7 +29,7 @@ protected:
     }
 
     const test::MappedScan mapped_ = test::decimated_model(Shape::bumpy_sphere, 3000, 150);
-    const std::vector<Eigen::Vector3f> no_colours_;
+    const std::vector<Eigen::Vector3f> no_colours_{};
     const ScanSurface surface_{mapped_.scan, no_colours_};
     const double diagonal_ = bounding_box_diagonal(mapped_.scan);
 };
